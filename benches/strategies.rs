@@ -3,7 +3,7 @@
 use clearbeam::part::surfaces::Surface;
 use clearbeam::part::{Mesh, Surfaces};
 use clearbeam::path::normals::VertexNormals;
-use clearbeam::path::planes::{Direction, Raster, planes};
+use clearbeam::path::planes::{Direction, PlaneRaster, planes};
 use clearbeam::path::strategy::{Layout, lines, spacing};
 use clearbeam::path::{Strategy, section};
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -39,7 +39,12 @@ fn strategies(c: &mut Criterion) {
     let family = planes(
         &mesh,
         &surfaces,
-        &[Raster { surface: 1, direction: Direction::Along([1.0, 0.0, 0.0]), spacing_mm: SPACING_MM, offset_mm: None }],
+        &[PlaneRaster {
+            surface: 1,
+            direction: Direction::Along([1.0, 0.0, 0.0]),
+            spacing_mm: SPACING_MM,
+            offset_mm: None,
+        }],
         &nalgebra::Rotation3::identity(),
     );
     let Some(family) = family.first() else { return };

@@ -5,7 +5,7 @@ use clearbeam::part::distance::{point_segment, point_triangle};
 use clearbeam::part::surfaces::Surface;
 use clearbeam::part::{Mesh, Surfaces};
 use clearbeam::path::normals::VertexNormals;
-use clearbeam::path::planes::{Direction, Raster, planes};
+use clearbeam::path::planes::{Direction, PlaneRaster, planes};
 use clearbeam::path::strategy::offset::borders;
 use clearbeam::path::strategy::{Achieved, Layout, SurfaceLines, lines, spacing};
 use clearbeam::path::{SectionPoint, Strategy, SurfacePlanes, TransversalLine};
@@ -56,7 +56,7 @@ impl Alone {
     }
 
     fn family(&self, direction: Direction, spacing: f64) -> SurfacePlanes {
-        let raster = Raster { surface: 1, direction, spacing_mm: spacing, offset_mm: None };
+        let raster = PlaneRaster { surface: 1, direction, spacing_mm: spacing, offset_mm: None };
         planes(&self.mesh, &self.surfaces, &[raster], &nalgebra::Rotation3::identity()).pop().unwrap_or(SurfacePlanes {
             surface: 1,
             normal: nalgebra::Vector3::z(),

@@ -189,7 +189,7 @@ impl ContactTool {
     /// The disc that is ground with where no tool is named.
     pub fn shipped() -> ContactTool {
         let side = ContactSide::Rim;
-        let abrasive = Abrasive::Disc { radius_mm: 50.0, edge_mm: 3.0, thickness_mm: 6.0, side };
+        let abrasive = Abrasive::Disc { radius_mm: 30.0, edge_mm: 3.0, thickness_mm: 6.0, side };
         ContactTool::from_toml(SHIPPED).unwrap_or(ContactTool { abrasive, stack: Vec::new() })
     }
 
@@ -249,6 +249,14 @@ mod tests {
         let belt = ContactTool::from_toml("kind = \"belt\"\nradius_mm = 40\nwidth_mm = 20\n").expect("a belt");
         assert_eq!(belt.abrasive, Abrasive::Belt { radius_mm: 40.0, width_mm: 20.0 });
         assert!(belt.stack.is_empty());
+    }
+
+    #[test]
+    fn the_shipped_tool_is_a_disc_with_its_guard() {
+        let shipped = ContactTool::shipped();
+        assert!(matches!(shipped.abrasive, Abrasive::Disc { side: ContactSide::Rim, .. }));
+        assert_eq!(Ok(shipped.clone()), ContactTool::from_toml(SHIPPED));
+        assert_eq!(shipped.stack.len(), 2);
     }
 
     #[test]

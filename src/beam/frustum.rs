@@ -90,7 +90,7 @@ impl PlacedFrustum {
             return false;
         }
         let mut near = true;
-        self.approach(corners, |low, high| {
+        self.approach(corners, |low, high, _| {
             near = low <= reach_mm;
             low > reach_mm || high <= reach_mm
         });
@@ -101,11 +101,21 @@ impl PlacedFrustum {
     /// millionth at most; 0 where they touch.
     pub fn distance_mm(&self, corners: &[Point3<f64>; 3]) -> f64 {
         let mut least = 0.0;
-        self.approach(corners, |low, high| {
+        self.approach(corners, |low, high, _| {
             least = low;
             high - low <= 1e-6 * (1e-3 + high)
         });
         least.max(0.0)
+    }
+
+    /// The shortest way from a triangle to it, mm; zero where they touch.
+    pub fn separation(&self, corners: &[Point3<f64>; 3]) -> Vector3<f64> {
+        let mut shortest = Vector3::zeros();
+        self.approach(corners, |low, high, way| {
+            shortest = *way;
+            high - low <= 1e-6 * (1e-3 + high)
+        });
+        shortest
     }
 
     /// How high its lowest point stands over the plane through `on` with the unit normal `n`, mm.
@@ -154,22 +164,23 @@ impl PlacedFrustum {
         self.origin + self.axis * t + out
     }
 
-    /// Passes ever tighter lower and upper bounds of the distance to `enough` until it returns true.
-    fn approach(&self, corners: &[Point3<f64>; 3], mut enough: impl FnMut(f64, f64) -> bool) {
+    /// Passes ever tighter lower and upper bounds of the distance, and the way that the upper one is of, to `enough` until
+    /// it returns true.
+    fn approach(&self, corners: &[Point3<f64>; 3], mut enough: impl FnMut(f64, f64, &Vector3<f64>) -> bool) {
         let mut v = self.origin + self.axis * (0.5 * (self.shape.t0_mm + self.shape.t1_mm)) - corners[0];
         let mut simplex = Simplex::default();
         let mut low = 0.0f64;
         for _ in 0..MOST_STEPS {
             let high = v.norm();
             if high < 1e-12 {
-                enough(0.0, 0.0);
+                enough(0.0, 0.0, &Vector3::zeros());
                 return;
             }
             let far = corners.iter().fold(&corners[0], |b, c| if c.coords.dot(&v) > b.coords.dot(&v) { c } else { b });
             let w = self.support(&-v) - far;
             let bound = w.dot(&v) / high;
             low = low.max(bound);
-            if enough(low, high) {
+            if enough(low, high, &v) {
                 return;
             }
             // No progress beyond rounding, or a point that the simplex already has.
@@ -177,7 +188,7 @@ impl PlacedFrustum {
                 return;
             }
             let Some(next) = simplex.added(w) else {
-                enough(0.0, 0.0);
+                enough(0.0, 0.0, &Vector3::zeros());
                 return;
             };
             if next.norm_squared() >= v.norm_squared() && low > 0.0 && simplex.count > 1 {

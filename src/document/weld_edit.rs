@@ -1,7 +1,7 @@
 //! Changes of the weld of a job, each an [`Edit`](super::Edit) of its own.
 
-use crate::weld::masking::BrushStroke;
 use super::model::{AreaChoice, GrindingStrategy, GroundPass, JobWeld, RoughnessReading, WeldFiles};
+use crate::weld::masking::BrushStroke;
 
 /// A change of the weld.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,6 +3,10 @@
 
 use super::section::TransversalLine;
 
+/// Lines of a zigzag are joined at the rim where their ends are no more than so many spacings apart: where a round rim
+/// slopes by 60° against them they are two.
+pub const REACH_IN_SPACINGS: f64 = 2.5;
+
 /// Joins open lines, in the order in which they are run, where the way from one to the next is no longer than `reach_mm`.
 /// A joined line has the rank of its first.
 pub fn back_and_forth(lines: Vec<TransversalLine>, reach_mm: f64) -> Vec<TransversalLine> {

@@ -4,6 +4,7 @@
 //! Part frame, millimetres. Whether a beam can get there is decided in `pose`.
 
 pub mod along;
+pub mod along_rim;
 pub mod back_and_forth;
 pub mod chord;
 pub mod coverage;
@@ -11,6 +12,7 @@ pub mod dense;
 pub mod ends;
 pub mod live_facets;
 pub mod measured_lines;
+pub mod motion_time;
 mod narrowest;
 pub mod neighbour_axes;
 pub mod normals;

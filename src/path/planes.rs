@@ -120,7 +120,7 @@ crate::part::keyed!(SurfacePlanes { surface, normal, heights_mm });
 
 /// What planes a surface is to get.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Raster {
+pub struct PlaneRaster {
     /// Surface number.
     pub surface: u32,
     /// Normal of the planes.
@@ -133,8 +133,8 @@ pub struct Raster {
 
 /// The planes of surfaces, in their order. Surfaces without any proper facet get none. `axes`: those of the part's
 /// file in the frame of the mesh, from which `Auto` starts.
-pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[Raster], axes: &Rotation3<f64>) -> Vec<SurfacePlanes> {
-    let mut all: Vec<(SurfacePlanes, (f64, f64), &Raster)> = directions(mesh, surfaces, layouts, axes)
+pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[PlaneRaster], axes: &Rotation3<f64>) -> Vec<SurfacePlanes> {
+    let mut all: Vec<(SurfacePlanes, (f64, f64), &PlaneRaster)> = directions(mesh, surfaces, layouts, axes)
         .into_iter()
         .filter_map(|(normal, layout)| {
             let extent = extent(mesh, surfaces.get(layout.surface)?, &normal)?;
@@ -143,8 +143,9 @@ pub fn planes(mesh: &Mesh, surfaces: &Surfaces, layouts: &[Raster], axes: &Rotat
         .collect();
     for i in 0..all.len() {
         let (normal, own, layout) = (all[i].0.normal, all[i].1, *all[i].2);
-        let is_same =
-            |(p, _, l): &&(SurfacePlanes, (f64, f64), &Raster)| p.normal == normal && l.family() == layout.family();
+        let is_same = |(p, _, l): &&(SurfacePlanes, (f64, f64), &PlaneRaster)| {
+            p.normal == normal && l.family() == layout.family()
+        };
         let joint = all.iter().filter(is_same).fold(own, |j, (_, e, _)| (j.0.min(e.0), j.1.max(e.1)));
         let family = family(joint, layout.spacing_mm, layout.offset_mm);
         let touched = family.partition_point(|&h| h <= own.0)..family.partition_point(|&h| h <= own.1);
@@ -161,20 +162,20 @@ const SAME_RAD: f64 = 1e-6;
 fn directions<'a>(
     mesh: &Mesh,
     surfaces: &Surfaces,
-    layouts: &'a [Raster],
+    layouts: &'a [PlaneRaster],
     axes: &Rotation3<f64>,
-) -> Vec<(Vector3<f64>, &'a Raster)> {
-    let own = |layout: &'a Raster| {
+) -> Vec<(Vector3<f64>, &'a PlaneRaster)> {
+    let own = |layout: &'a PlaneRaster| {
         let normal = match layout.direction {
             Direction::Along(v) => angle::unit(Vector3::from(v))?,
             Direction::Auto => suited_direction(mesh, surfaces.get(layout.surface)?, axes)?,
         };
         Some((normal, layout))
     };
-    let mut all: Vec<(Vector3<f64>, &Raster)> = layouts.par_iter().filter_map(own).collect();
+    let mut all: Vec<(Vector3<f64>, &PlaneRaster)> = layouts.par_iter().filter_map(own).collect();
     for i in 0..all.len() {
         let (before, rest) = all.split_at_mut(i);
-        if let Some((normal, Raster { direction: Direction::Auto, .. })) = rest.first_mut()
+        if let Some((normal, PlaneRaster { direction: Direction::Auto, .. })) = rest.first_mut()
             && let Some((same, _)) = before.iter().find(|(other, _)| (other - *normal).norm() < SAME_RAD)
         {
             *normal = *same;
@@ -183,7 +184,7 @@ fn directions<'a>(
     all
 }
 
-impl Raster {
+impl PlaneRaster {
     /// Surfaces of one family agree in this, and in their planes' normal.
     fn family(&self) -> (f64, Option<f64>) {
         (self.spacing_mm, self.offset_mm)

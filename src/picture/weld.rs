@@ -5,7 +5,7 @@ use crate::part::Hasher;
 use crate::planning::welded::MeasuredWeld;
 use crate::view::{CloudItem, Depth, LineItem, LineSegment};
 use crate::weld::bead::WeldBead;
-use crate::weld::camera::Camera;
+use crate::weld::camera::DepthCamera;
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::sync::Arc;
 
@@ -38,7 +38,7 @@ pub struct WeldPicture {
 /// A weld in the view. `size`: of the camera's images, px.
 pub fn weld_picture(
     measured: &MeasuredWeld,
-    camera: &Camera,
+    camera: &DepthCamera,
     size: [usize; 2],
     part_from_camera: &Isometry3<f64>,
 ) -> WeldPicture {
@@ -83,7 +83,7 @@ fn centre_line(bead: &WeldBead, part_from_camera: &Isometry3<f64>) -> LineItem {
 }
 
 /// The axes of the camera's frame, and the corners of what it sees at their end.
-fn camera_frame(camera: &Camera, [width, height]: [usize; 2], part_from_camera: &Isometry3<f64>) -> LineItem {
+fn camera_frame(camera: &DepthCamera, [width, height]: [usize; 2], part_from_camera: &Isometry3<f64>) -> LineItem {
     let eye = part_from_camera * Point3::origin();
     // The part frame is somewhere in sight, or the camera's own: then its distance is unknown, and a hand wide does.
     let length_mm = (CAMERA_SHARE * eye.coords.norm()).max(30.0);
@@ -140,7 +140,7 @@ mod tests {
     fn a_weld_without_a_bead_shows_its_camera_alone() {
         let [fx, fy, cx, cy, units_per_mm] = [600.0, 600.0, 319.5, 239.5, 10.0];
         let [k1, k2, p1, p2, k3] = [0.0; 5];
-        let camera = Camera { width: None, height: None, fx, fy, cx, cy, units_per_mm, k1, k2, p1, p2, k3 };
+        let camera = DepthCamera { width: None, height: None, fx, fy, cx, cy, units_per_mm, k1, k2, p1, p2, k3 };
         let picture =
             weld_picture(&MeasuredWeld::default(), &camera, [640, 480], &Isometry3::translation(0.0, 0.0, 300.0));
         assert!(picture.points.is_none() && picture.lines.len() == 1);

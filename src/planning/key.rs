@@ -105,11 +105,12 @@ impl WeldKeys {
             goes_on,
             roughness: _,
         } = weld;
-        let read = Hasher::default().of(&files).of(images).of(hand_eye).finish();
+        let read = Hasher::default().of(&files).of(images).of(hand_eye).of(history).finish();
         let mask = Hasher::default().of(&read).of(even_light_px).of(smoothing_px).of(sigmas).of(threshold);
         let masked = mask.of(opening_px).of(closing_px).of(least_area_px).of(painted).finish();
-        let measured = Hasher::default().of(&masked).of(history).finish();
-        let ground = Hasher::default().of(&measured).of(&surfaces).of(areas).of(pass_depth_mm).of(at_once).of(residual_mm);
+        let measured = Hasher::default().of(&masked).of(&"measured").finish();
+        let ground =
+            Hasher::default().of(&measured).of(&surfaces).of(areas).of(pass_depth_mm).of(at_once).of(residual_mm);
         let ground = ground.of(below_mm).of(removal_share).of(goes_on).finish();
         WeldKeys { read, masked, measured, ground }
     }

@@ -25,9 +25,9 @@ mod recognised;
 pub mod report;
 pub mod scanned;
 pub mod stage;
-pub mod welded;
 #[cfg(test)]
 mod stage_tests;
+pub mod welded;
 
 pub use dose::dose;
 pub use error::{PartError, PlanError, PlanningError};

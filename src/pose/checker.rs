@@ -81,7 +81,7 @@ impl Checker {
 pub struct KeptByContact {
     /// The tool's core.
     pub cones: Vec<CutCone>,
-    /// What it keeps from facets that it lies along, mm.
+    /// What it keeps from facets that it rests on, mm.
     pub skin_mm: f64,
     /// What it keeps from all others, mm.
     pub wall_mm: f64,
@@ -91,15 +91,20 @@ impl Checker {
     /// Index of a facet that a contact tool with the foot of its axis in `p` comes too near to.
     pub fn touched(&self, p: &Point3<f64>, a: &Vector3<f64>, kept: &KeptByContact) -> Option<usize> {
         self.facets.iter().position(|f| {
-            // A normal within 60° of the axis, or of its opposite.
-            let n = (f[1] - f[0]).cross(&(f[2] - f[0]));
-            let lies_along = 2.0 * n.dot(a).abs() >= n.norm();
-            let keeps_mm = if lies_along { kept.skin_mm } else { kept.wall_mm };
-            let alone = Checker { facets: vec![*f] };
-            kept.cones.iter().any(|cone| alone.cone_distance(p, a, cone, keeps_mm) < keeps_mm)
+            kept.cones.iter().any(|cone| {
+                let alone = Checker { facets: vec![*f] };
+                let mm = alone.cone_distance(p, a, cone, kept.wall_mm);
+                // Lifted along the axis it gets away by what the way to it has of the axis: within 60° by half of it.
+                let lifted_mm = alone.cone_distance(&(p + a * LIFT_MM), a, cone, kept.wall_mm + LIFT_MM);
+                let rests = lifted_mm - mm >= 0.5 * LIFT_MM;
+                mm < if rests { kept.skin_mm } else { kept.wall_mm }
+            })
         })
     }
 }
+
+/// How far a tool is lifted to see whether it rests on a facet, mm.
+const LIFT_MM: f64 = 1e-3;
 
 /// Least value of a convex function over 0 to 1, by golden section.
 fn lowest(f: impl Fn(f64) -> f64) -> f64 {

@@ -67,11 +67,11 @@ pub(crate) use picture::{legend_entry, legend_mark, spacing_labels};
 pub use program_comment::program_comment;
 pub use report::report_lines;
 pub(crate) use sample::about_sample;
-pub use weld::{area_word, weld_lines};
 pub use scan::{
     deviation_lines, deviation_summary, how_it_lies, registration_lines, scan_not_placed, unit_doubt_sentence,
 };
 pub(crate) use view::name_view;
+pub use weld::{area_word, weld_lines};
 
 /// The words of a message: `say!(key)`, `say!(key, count, name = expression)`.
 macro_rules! say {

@@ -58,7 +58,7 @@ fn what_is_unsafe_stands_before_what_is_not_done_and_what_was_found() {
         "surface 2: no line on its 400.00 mm²: the section planes lie along it",
         "surface 3 \"Rim\": 2 targets refused: out of the robot's reach; such as pass 4, point 0: ",
         "surface 3 \"Rim\": 1 target blocked by surface 5; choose the correction clearance",
-        "surface 3 \"Rim\": on 12 lit moves the spot is slower than the 3 mm/s that are set, so more energy lands there: \
+        "surface 3 \"Rim\": on 12 lit moves the spot is slower than the 3 mm/s that are set, so it works there for longer: \
          the controller's words allow 2.25 mm/s at pass 4, point 17; set a lower speed, or choose",
         "surface 3 \"Rim\": 1 line end stops at the rim",
         "the part's file has changed since the job was saved; all that is to be cleaned was found again; \

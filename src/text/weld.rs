@@ -2,6 +2,8 @@
 
 use super::number::percent;
 use super::{Sentence, clock, exact, fixed, id, say};
+use crate::cell::hand_eye::HandEyeError;
+use crate::cell::hand_eye::file::HandEyeFileError;
 use crate::planning::welded::{AreaTimes, HeldReason, UnmeasuredArea, WeldError, WeldReport};
 use crate::weld::bead::{AreaKind, WeldBeadError};
 use crate::weld::camera::CameraFault;
@@ -16,13 +18,18 @@ impl Sentence for WeldError {
             WeldError::Image(e) => e.sentence(),
             WeldError::Changed { file, .. } => say!(weld_changed, file),
             WeldError::Pair(fault) => fault.sentence(),
+            WeldError::OtherSize { before, now } => {
+                let ([width, height], [now_width, now_height]) = (before.map(id), now.map(id));
+                say!(weld_other_size, width, height, now_width, now_height)
+            }
             WeldError::CameraFile(e) => e.sentence(),
-            WeldError::Camera { file, fault } => say!(in_file, file, what = fault.sentence()),
-            WeldError::HandEye(_) => String::new(),
+            WeldError::DepthCamera { file, fault } => say!(in_file, file, what = fault.sentence()),
+            WeldError::HandEye(e) => e.sentence(),
             WeldError::Mask(MaskError::NoImage { .. }) => say!(image_no_pixels),
             WeldError::Mask(MaskError::Cancelled) | WeldError::Cancelled => say!(text_cancelled),
             WeldError::NoArea => say!(weld_no_area),
             WeldError::Bead(e) => e.sentence(),
+            WeldError::Passes(_) => say!(weld_too_many_passes),
             WeldError::NoSkin => say!(weld_no_skin),
             WeldError::Registration(e) => say!(weld_not_on_part, what = e.sentence()),
         }
@@ -115,6 +122,41 @@ impl Sentence for CameraFault {
     }
 }
 
+impl Sentence for HandEyeFileError {
+    fn sentence(&self) -> String {
+        let of = |file: &str, what: String| say!(in_file, file, what);
+        let named = |key: &str, pose: &Option<usize>| match pose {
+            Some(pose) => say!(hand_eye_key_of_pose, pose = id(*pose), key),
+            None => key.to_owned(),
+        };
+        match self {
+            HandEyeFileError::File(e) => e.sentence(),
+            HandEyeFileError::Keys { file } => of(file, say!(hand_eye_keys)),
+            HandEyeFileError::NoFlange { file } => of(file, say!(hand_eye_no_flange)),
+            HandEyeFileError::Count { file, key, pose, count } => {
+                of(file, say!(hand_eye_count, key = named(key, pose), count = *count))
+            }
+            HandEyeFileError::Matrix { file, key, pose, fault } => {
+                of(file, say!(hand_eye_matrix, key = named(key, pose), fault = fault.sentence()))
+            }
+            HandEyeFileError::Poses { file, source } => of(file, source.sentence()),
+        }
+    }
+}
+
+impl Sentence for HandEyeError {
+    fn sentence(&self) -> String {
+        match self {
+            HandEyeError::FewPoses { count } => say!(hand_eye_few_poses, count = *count),
+            HandEyeError::SmallTurns { most_deg } => say!(hand_eye_small_turns, most = fixed(*most_deg, 1)),
+            HandEyeError::OneAxis { axis: [x, y, z] } => {
+                say!(hand_eye_one_axis, x = fixed(*x, 2), y = fixed(*y, 2), z = fixed(*z, 2))
+            }
+            HandEyeError::NoFit => say!(hand_eye_no_fit),
+        }
+    }
+}
+
 impl Sentence for WeldBeadError {
     fn sentence(&self) -> String {
         match self {
@@ -132,7 +174,7 @@ impl Sentence for WeldBeadError {
 impl Sentence for ParentError {
     fn sentence(&self) -> String {
         match self {
-            ParentError::NothingCovered => say!(weld_no_depth_there),
+            ParentError::Sizes { .. } | ParentError::NothingCovered => say!(weld_no_depth_there),
             ParentError::FewPoints { count, least } => say!(weld_few_points, count = *count, least = *least),
             ParentError::OneSide { share } => say!(weld_one_side, share = percent(*share, 0)),
             ParentError::NoSurface => say!(weld_no_surface),
@@ -171,6 +213,7 @@ pub fn weld_lines(weld: &WeldReport) -> Vec<String> {
     }
     let defects = weld.areas.iter().filter(|a| a.area == AreaKind::Flat);
     out.extend(defects.map(|a| say!(weld_defect, area = fixed(a.area_mm2, 0), aspect = fixed(a.aspect, 2))));
+    out.extend(weld.unmeasured.iter().map(Sentence::sentence));
     out.extend(weld.times.iter().map(times_line));
     out.extend(weld.held.iter().map(Sentence::sentence));
     if let Some(r) = &weld.roughness {

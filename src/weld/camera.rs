@@ -21,7 +21,7 @@ const FOCAL_IN_WIDTHS: [f64; 2] = [0.2, 20.0];
 
 /// A camera's figures, as calibrations give them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Camera {
+pub struct DepthCamera {
     /// Width of its images, pixels; `None` where the file does not say.
     pub width: Option<usize>,
     /// Height of its images, pixels.
@@ -85,16 +85,16 @@ pub enum CameraFault {
     },
 }
 
-impl Camera {
+impl DepthCamera {
     /// A camera without distortion, of one unit to the millimetre.
-    pub fn pinhole(fx: f64, fy: f64, cx: f64, cy: f64) -> Camera {
+    pub fn pinhole(fx: f64, fy: f64, cx: f64, cy: f64) -> DepthCamera {
         let (k1, k2, p1, p2, k3) = (0.0, 0.0, 0.0, 0.0, 0.0);
-        Camera { width: None, height: None, fx, fy, cx, cy, units_per_mm: 1.0, k1, k2, p1, p2, k3 }
+        DepthCamera { width: None, height: None, fx, fy, cx, cy, units_per_mm: 1.0, k1, k2, p1, p2, k3 }
     }
 
     /// Its figures with their keys in the camera file.
     pub fn figures(&self) -> [(&'static str, f64); 10] {
-        let Camera { fx, fy, cx, cy, units_per_mm, k1, k2, p1, p2, k3, .. } = *self;
+        let DepthCamera { fx, fy, cx, cy, units_per_mm, k1, k2, p1, p2, k3, .. } = *self;
         let lens = [("fx", fx), ("fy", fy), ("cx", cx), ("cy", cy), ("s", units_per_mm)];
         let distortion = [("k1", k1), ("k2", k2), ("p1", p1), ("p2", p2), ("k3", k3)];
         std::array::from_fn(|i| if i < 5 { lens[i] } else { distortion[i - 5] })
@@ -222,36 +222,40 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn lens() -> Camera {
-        Camera {
+    fn lens() -> DepthCamera {
+        DepthCamera {
             k1: -0.32,
             k2: 0.11,
             p1: 0.0007,
             p2: -0.0004,
             k3: -0.01,
-            ..Camera::pinhole(580.0, 583.0, 321.7, 236.2)
+            ..DepthCamera::pinhole(580.0, 583.0, 321.7, 236.2)
         }
     }
 
     #[test]
     fn a_pinhole_is_equation_5() {
-        let camera = Camera { units_per_mm: 10.0, ..Camera::pinhole(500.0, 400.0, 320.0, 240.0) };
+        let camera = DepthCamera { units_per_mm: 10.0, ..DepthCamera::pinhole(500.0, 400.0, 320.0, 240.0) };
         assert_eq!(camera.ray(420.0, 200.0), Some(Vector3::new(0.2, -0.1, 1.0)));
         assert_eq!(camera.pixel_of(&Point3::new(20.0, -10.0, 100.0)), Some([420.0, 200.0]));
         assert_eq!(camera.pixel_of(&Point3::new(20.0, -10.0, -100.0)), None);
         assert_eq!([1000.0, 0.0, f32::NAN, f32::INFINITY].map(|d| camera.depth_mm(d)), [Some(100.0), None, None, None]);
     }
 
-    /// Pixels of OpenCV's `projectPoints` for the same lens, and the derivatives by differences.
+    /// Pixels as OpenCV's `projectPoints` (4.14) tells them for the same lens, and slopes by differences.
     #[test]
-    fn distortion_is_that_of_its_formula() {
+    fn distortion_is_that_of_opencv() {
         let camera = lens();
-        let (x, y, r2) = (0.3, -0.2, 0.13);
-        let radial = 1.0 - 0.32 * r2 + 0.11 * r2 * r2 - 0.01 * r2 * r2 * r2;
-        let u = 580.0 * (x * radial + 2.0 * 0.0007 * x * y - 0.0004 * (r2 + 2.0 * x * x)) + 321.7;
-        let v = 583.0 * (y * radial + 0.0007 * (r2 + 2.0 * y * y) - 2.0 * 0.0004 * x * y) + 236.2;
-        let pixel = camera.pixel_of(&Point3::new(30.0, -20.0, 100.0)).expect("in front");
-        assert!((pixel[0] - u).abs() < 1e-12 && (pixel[1] - v).abs() < 1e-12, "{pixel:?} {u} {v}");
+        let told = [
+            ([30.0, -20.0, 100.0], [488.66060322, 124.35004730199996]),
+            ([-52.0, 38.0, 100.0], [54.25804867977263, 432.7478286324508]),
+            ([5.0, 41.0, 90.0], [351.8749991025017, 485.4035325179864]),
+        ];
+        for (point, [u, v]) in told {
+            let pixel = camera.pixel_of(&Point3::from(point)).expect("in front");
+            assert!((pixel[0] - u).abs() < 1e-9 && (pixel[1] - v).abs() < 1e-9, "{pixel:?} {u} {v}");
+        }
+        let [x, y] = [0.3, -0.2];
         let at = Vector2::new(x, y);
         for (k, step) in [Vector2::new(1e-6, 0.0), Vector2::new(0.0, 1e-6)].into_iter().enumerate() {
             let slope = (camera.distorted(at + step) - camera.distorted(at - step)) / 2e-6;
@@ -274,7 +278,7 @@ mod tests {
             u in -100.0..740.0f64, v in -100.0..580.0f64,
         ) {
             let [k1, k2, k3] = k;
-            let camera = Camera { k1, k2, k3, p1: p[0], p2: p[1], ..Camera::pinhole(400.0, 400.0, 320.0, 240.0) };
+            let camera = DepthCamera { k1, k2, k3, p1: p[0], p2: p[1], ..DepthCamera::pinhole(400.0, 400.0, 320.0, 240.0) };
             if let Some(ray) = camera.ray(u, v) {
                 let [a, b] = camera.pixel_of(&Point3::from(ray)).expect("it has a pixel");
                 prop_assert!((a - u).abs() < 1e-8 && (b - v).abs() < 1e-8, "{a} {b}");
@@ -285,7 +289,7 @@ mod tests {
     /// r (1 − r²) is greatest at r² = 1/3, where it is 0.385: no ray leads to 0.39, and 0.38 has that on the rising side.
     #[test]
     fn beyond_the_turning_point_there_is_no_ray() {
-        let camera = Camera { k1: -1.0, ..Camera::pinhole(100.0, 100.0, 0.0, 0.0) };
+        let camera = DepthCamera { k1: -1.0, ..DepthCamera::pinhole(100.0, 100.0, 0.0, 0.0) };
         assert_eq!(camera.ray(39.0, 0.0), None);
         let x = camera.ray(38.0, 0.0).expect("a ray").x;
         assert!((x * (1.0 - x * x) - 0.38).abs() < 1e-11 && x < 0.5774, "{x}");
@@ -294,14 +298,14 @@ mod tests {
 
     #[test]
     fn intrinsics_of_another_camera_are_told() {
-        let camera = Camera::pinhole(525.0, 525.0, 319.5, 239.5);
+        let camera = DepthCamera::pinhole(525.0, 525.0, 319.5, 239.5);
         assert_eq!(camera.fits(640, 480), Ok(()));
         assert!(matches!(camera.fits(1280, 960), Err(CameraFault::OffMiddle { .. })));
-        assert!(matches!(Camera { fx: 100.0, ..camera.clone() }.fits(640, 480), Err(CameraFault::Focal { .. })));
-        let sized = Camera { width: Some(640), height: Some(480), ..camera.clone() };
+        assert!(matches!(DepthCamera { fx: 100.0, ..camera.clone() }.fits(640, 480), Err(CameraFault::Focal { .. })));
+        let sized = DepthCamera { width: Some(640), height: Some(480), ..camera.clone() };
         assert_eq!(sized.fits(640, 400), Err(CameraFault::Size { camera: [640, 480], image: [640, 400] }));
         assert!(camera.fits(0, 0).is_err());
-        let wrong = Camera { units_per_mm: 0.0, ..camera };
+        let wrong = DepthCamera { units_per_mm: 0.0, ..camera };
         assert_eq!(wrong.check(), Err(CameraFault::Figure { key: "s", value: 0.0 }));
     }
 }

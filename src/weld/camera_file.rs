@@ -3,7 +3,7 @@
 //!
 //! Open3D's file has no depth scale; its routines take 1000 units for a metre unless told otherwise, so s is 1.
 
-use super::camera::{Camera, CameraFault};
+use super::camera::{CameraFault, DepthCamera};
 use crate::file::{self, FileError, Step, line_of};
 use serde::Deserialize;
 use std::path::Path;
@@ -92,7 +92,7 @@ struct Open3dIntrinsics {
 ///
 /// # Errors
 /// It tells no camera.
-pub fn read(path: &Path) -> Result<Camera, CameraFileError> {
+pub fn read(path: &Path) -> Result<DepthCamera, CameraFileError> {
     from_bytes(&file::bytes(path)?, &path.display().to_string())
 }
 
@@ -100,7 +100,7 @@ pub fn read(path: &Path) -> Result<Camera, CameraFileError> {
 ///
 /// # Errors
 /// They tell no camera.
-pub fn from_bytes(bytes: &[u8], name: &str) -> Result<Camera, CameraFileError> {
+pub fn from_bytes(bytes: &[u8], name: &str) -> Result<DepthCamera, CameraFileError> {
     let text = file::text(bytes, name)?;
     let is_json = text.trim_start().starts_with('{');
     let camera = if is_json { of_open3d(text, name)? } else { of_toml(text, name)? };
@@ -112,12 +112,12 @@ pub fn from_bytes(bytes: &[u8], name: &str) -> Result<Camera, CameraFileError> {
     Ok(camera)
 }
 
-fn of_toml(text: &str, name: &str) -> Result<Camera, FileError> {
+fn of_toml(text: &str, name: &str) -> Result<DepthCamera, FileError> {
     let CameraToml { width, height, fx, fy, cx, cy, s, k1, k2, p1, p2, k3 } = file::toml(text, name)?;
-    Ok(Camera { width, height, fx, fy, cx, cy, units_per_mm: s, k1, k2, p1, p2, k3 })
+    Ok(DepthCamera { width, height, fx, fy, cx, cy, units_per_mm: s, k1, k2, p1, p2, k3 })
 }
 
-fn of_open3d(text: &str, name: &str) -> Result<Camera, CameraFileError> {
+fn of_open3d(text: &str, name: &str) -> Result<DepthCamera, CameraFileError> {
     let read: Open3dIntrinsics = serde_json::from_str(text).map_err(|e| CameraFileError::Json {
         file: name.to_owned(),
         line: e.line(),
@@ -132,7 +132,7 @@ fn of_open3d(text: &str, name: &str) -> Result<Camera, CameraFileError> {
     if let Some(fault) = fault {
         return Err(CameraFileError::Matrix { file: name.to_owned(), fault });
     }
-    Ok(Camera { width: Some(read.width), height: Some(read.height), ..Camera::pinhole(fx, fy, cx, cy) })
+    Ok(DepthCamera { width: Some(read.width), height: Some(read.height), ..DepthCamera::pinhole(fx, fy, cx, cy) })
 }
 
 #[cfg(test)]
@@ -148,7 +148,7 @@ mod tests {
     fn toml_has_defaults_for_scale_and_distortion() {
         let text = "fx = 600\nfy = 601.5\ncx = 320\ncy = 240\n";
         let camera = from_bytes(text.as_bytes(), "camera.toml").expect("a camera");
-        assert_eq!(camera, Camera::pinhole(600.0, 601.5, 320.0, 240.0));
+        assert_eq!(camera, DepthCamera::pinhole(600.0, 601.5, 320.0, 240.0));
         let more =
             format!("{text}s = 10\nk1 = -0.1\nk2 = 0.2\np1 = 0.3\np2 = 0.4\nk3 = 0.5\nwidth = 640\nheight = 480\n");
         let camera = from_bytes(more.as_bytes(), "camera.toml").expect("a camera");
@@ -175,7 +175,8 @@ mod tests {
     fn open3d_writes_column_by_column() {
         let json = |m: &str| format!("{{\"width\": 640, \"height\": 480, \"intrinsic_matrix\": [{m}]}}");
         let camera = from_bytes(json("525,0,0,0,526,0,319.5,239.5,1").as_bytes(), "c.json").expect("a camera");
-        let expected = Camera { width: Some(640), height: Some(480), ..Camera::pinhole(525.0, 526.0, 319.5, 239.5) };
+        let expected =
+            DepthCamera { width: Some(640), height: Some(480), ..DepthCamera::pinhole(525.0, 526.0, 319.5, 239.5) };
         assert_eq!(camera, expected);
         let fault = |m: &str| match refused(&json(m)) {
             CameraFileError::Matrix { fault, .. } => Some(fault),

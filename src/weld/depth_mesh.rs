@@ -1,7 +1,7 @@
 //! A depth image as a coarse mesh: what a part without a model looks like before anything is known of its weld. It has the
 //! bead on it and noise in it, so nothing is planned on it; `skin` is what tools run over.
 
-use super::camera::Camera;
+use super::camera::DepthCamera;
 use super::raster::DepthImage;
 use crate::part::raw_part::RawFacet;
 use nalgebra::Point3;
@@ -14,7 +14,7 @@ const LEAST_FILLED: f64 = 0.25;
 const STEEPEST: f64 = 5.0;
 
 /// Facets over a depth image in the camera's frame, mm, outward towards the camera: medians over blocks of pixels.
-pub fn depth_mesh(depth: &DepthImage, camera: &Camera) -> Vec<RawFacet> {
+pub fn depth_mesh(depth: &DepthImage, camera: &DepthCamera) -> Vec<RawFacet> {
     let mut all_mm: Vec<f64> = depth.values.iter().filter_map(|d| camera.depth_mm(*d)).collect();
     let Some(middle_mm) = upper_median(&mut all_mm) else { return Vec::new() };
     let block = ((PITCH_MM * camera.fx / middle_mm) as usize).max(1);
@@ -67,7 +67,7 @@ mod tests {
 
     #[test]
     fn a_wall_is_a_sheet_that_faces_the_camera_and_a_jump_is_a_gap() {
-        let camera = Camera { units_per_mm: 10.0, ..Camera::pinhole(100.0, 100.0, 49.5, 39.5) };
+        let camera = DepthCamera { units_per_mm: 10.0, ..DepthCamera::pinhole(100.0, 100.0, 49.5, 39.5) };
         let wall = |z_of: fn(usize) -> f32| {
             let values = (0..80 * 100).map(|i| z_of(i % 100)).collect();
             depth_mesh(&DepthImage { width: 100, height: 80, values }, &camera)
@@ -80,6 +80,9 @@ mod tests {
         }
         let split = wall(|u| if u < 50 { 5000.0 } else { 9000.0 });
         assert!(split.iter().all(|f| f.iter().all(|p| (p[2] - f[0][2]).abs() < 1.0)), "no facet across the jump");
-        assert!(wall(|_| 0.0).is_empty() && depth_mesh(&DepthImage { width: 0, height: 0, values: Vec::new() }, &camera).is_empty());
+        assert!(
+            wall(|_| 0.0).is_empty()
+                && depth_mesh(&DepthImage { width: 0, height: 0, values: Vec::new() }, &camera).is_empty()
+        );
     }
 }

@@ -3,12 +3,12 @@
 //! The panel is a cylinder of 1500 mm radius, warped by 1.5 mm; the bead's centre line is 12 sin(x / 60), its section a cap
 //! 12 mm wide, its height 4 to 15 mm. Noise, 3 % holes in blobs, 5 % flying pixels at the edge.
 
-use super::camera::Camera;
+use super::camera::DepthCamera;
 use super::parent::ParentSurface;
 use super::points::PixelPoint;
 use super::raster::{Mask, Raster};
 use crate::scan::made_up::Sequence;
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
 const WIDTH: usize = 640;
 const HEIGHT: usize = 480;
@@ -18,11 +18,13 @@ pub const LENGTH_MM: f64 = 260.0;
 
 /// What the camera would see without noise. Panel frame: x right, y down, heights towards the camera, which is 500 mm off.
 pub struct Scene {
-    pub camera: Camera,
+    pub camera: DepthCamera,
     pub mask: Mask,
     depths: Vec<f64>,
     /// Moves the bead along the panel, mm.
     shift_mm: f64,
+    /// What stands higher was ground off, mm; below 0: into the panel.
+    level_mm: f64,
 }
 
 pub struct Noise {
@@ -61,35 +63,36 @@ fn bead(x: f64, y: f64) -> Option<f64> {
 impl Scene {
     /// 0.83 mm a pixel.
     pub fn coarse() -> Scene {
-        Scene::seen(600.0, 0.0)
+        Scene::of_size(600.0, 0.0, [WIDTH, HEIGHT], f64::INFINITY)
     }
 
-    /// 0.42 mm a pixel; the bead leaves the image at both ends.
+    /// The bead leaves the image on the right.
     pub fn leaving() -> Scene {
-        Scene::seen(1200.0, 0.0)
-    }
-
-    pub fn seen(focal: f64, shift_mm: f64) -> Scene {
-        Scene::of_size(focal, shift_mm, [WIDTH, HEIGHT])
+        Scene::of_size(1200.0, 30.0, [WIDTH, HEIGHT], f64::INFINITY)
     }
 
     /// 0.42 mm a pixel, all of the bead.
     pub fn fine() -> Scene {
-        Scene::of_size(1200.0, 0.0, [1000, 480])
+        Scene::ground(f64::INFINITY)
     }
 
-    fn of_size(focal: f64, shift_mm: f64, [width, height]: [usize; 2]) -> Scene {
-        let camera = Camera {
-            fx: focal,
-            fy: focal,
-            cx: width as f64 / 2.0 - 0.5,
-            cy: height as f64 / 2.0 - 0.5,
-            units_per_mm: 10.0,
+    /// The fine one, ground down to a level above the panel.
+    pub fn ground(level_mm: f64) -> Scene {
+        Scene::of_size(1200.0, 0.0, [1000, 480], level_mm)
+    }
+
+    fn of_size(focal: f64, shift_mm: f64, [width, height]: [usize; 2], level_mm: f64) -> Scene {
+        let middle = [width, height].map(|side| side as f64 / 2.0 - 0.5);
+        let camera = DepthCamera { units_per_mm: 10.0, ..DepthCamera::pinhole(focal, focal, middle[0], middle[1]) };
+        let mut scene = Scene {
+            camera,
+            mask: Raster { width, height, values: Vec::new() },
+            depths: Vec::new(),
+            shift_mm,
+            level_mm,
         };
-        let mut scene =
-            Scene { camera, mask: Raster { width, height, values: Vec::new() }, depths: Vec::new(), shift_mm };
         for i in 0..width * height {
-            let ray = camera.ray((i % width) as f64, (i / width) as f64);
+            let ray = scene.ray(i % width, i / width);
             let (z, on_bead) = scene.hit(ray.x, ray.y);
             scene.depths.push(z);
             scene.mask.values.push(on_bead);
@@ -97,10 +100,14 @@ impl Scene {
         scene
     }
 
+    fn ray(&self, u: usize, v: usize) -> Vector3<f64> {
+        self.camera.ray(u as f64, v as f64).expect("a pinhole has all rays")
+    }
+
     fn hit(&self, a: f64, b: f64) -> (f64, bool) {
         let depth = |z: f64| {
             let (x, y) = (a * z, b * z);
-            let over = bead(x - self.shift_mm, y);
+            let over = bead(x - self.shift_mm, y).map(|h| h.min(self.level_mm));
             (FAR_MM - parent(x, y) - over.unwrap_or(0.0), over.is_some())
         };
         let mut z = FAR_MM;
@@ -153,10 +160,7 @@ impl Scene {
             }
             let z = (z * self.camera.units_per_mm).round() / self.camera.units_per_mm;
             if !holes[i] {
-                points.push(PixelPoint {
-                    pixel: [u as u32, v as u32],
-                    point: Point3::from(self.camera.ray(u as f64, v as f64) * z),
-                });
+                points.push(PixelPoint { pixel: [u as u32, v as u32], point: Point3::from(self.ray(u, v) * z) });
             }
         }
         points

@@ -1,7 +1,7 @@
 //! How far within an outline, or without it, a place of the part lies: the distance from the border of a mask, carried onto
 //! the part by the camera.
 
-use super::camera::Camera;
+use super::camera::DepthCamera;
 use super::pixel_distance::distances_px;
 use super::raster::{Mask, Raster};
 use nalgebra::Point3;
@@ -24,7 +24,7 @@ impl OutlineDistance {
     }
 
     /// The distance of a place in the camera's frame, mm; `None`: it is not in the image.
-    pub fn at_mm(&self, place: &Point3<f64>, camera: &Camera) -> Option<f64> {
+    pub fn at_mm(&self, place: &Point3<f64>, camera: &DepthCamera) -> Option<f64> {
         let [u, v] = camera.pixel_of(place)?;
         let px = self.between(u, v)?;
         Some(px * place.z / (camera.fx * camera.fy).sqrt())
@@ -56,7 +56,7 @@ mod tests {
             u * u + v * v <= 20.0 * 20.0
         });
         let disc = OutlineDistance::of(&Mask { width: 80, height: 60, values: values.collect() });
-        let camera = Camera { units_per_mm: 1.0, ..Camera::pinhole(200.0, 200.0, 40.0, 30.0) };
+        let camera = DepthCamera { units_per_mm: 1.0, ..DepthCamera::pinhole(200.0, 200.0, 40.0, 30.0) };
         for (r, turn) in [(0.0, 0.0), (10.3, 0.4), (19.0, 2.0), (21.5, 4.0), (26.0, 5.5)] {
             let (u, v) = (r * libm::cos(turn), r * libm::sin(turn));
             // 400 mm away two pixels are 4 mm.

@@ -7,7 +7,7 @@
 use super::cubic_fit::{self, Cubic, slopes, terms};
 use super::pixel_distance::distances_px;
 use super::points::PixelPoint;
-use super::raster::{Mask, Raster};
+use super::raster::Mask;
 use crate::scan::{SIGMA_OF_MEDIAN, TUKEY};
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, SymmetricEigen, Translation3, UnitQuaternion, Vector2, Vector3};
 use thiserror::Error;
@@ -60,6 +60,14 @@ pub struct Foot {
 /// Why there is no parent surface.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ParentError {
+    /// The masks are of different sizes, or have fewer values than pixels.
+    #[error("masks {area:?} and {covered:?}")]
+    Sizes {
+        /// Width and height of the area's mask, px.
+        area: [usize; 2],
+        /// Those of the mask of all that is covered.
+        covered: [usize; 2],
+    },
     /// The mask covers no measured point.
     #[error("no depth under the mask")]
     NothingCovered,
@@ -93,10 +101,17 @@ impl ParentSurface {
         covered: &Mask,
         margin_px: f64,
     ) -> Result<ParentSurface, ParentError> {
+        if !area.is_whole() || !covered.is_whole() || area.size() != covered.size() {
+            return Err(ParentError::Sizes { area: area.size(), covered: covered.size() });
+        }
         let from_area = distances_px(area);
         let from_covered = if covered == area { from_area.clone() } else { distances_px(covered) };
-        let measured =
-            || points.iter().filter_map(|p| Some((*at(&from_area, p.pixel)?, *at(&from_covered, p.pixel)?, p.point)));
+        let measured = || {
+            points.iter().filter_map(|p| {
+                let [u, v] = p.pixel.map(|c| c as usize);
+                Some((*from_area.at(u, v)?, *from_covered.at(u, v)?, p.point))
+            })
+        };
         let under: Vec<Point3<f64>> = measured().filter(|(off, ..)| *off <= 0.0).map(|(.., p)| p).collect();
         let reach_px = REACH_MM / mm_per_px(points).ok_or(ParentError::NothingCovered)?;
         let counts = |off: f32, beside: f32| f64::from(beside) > margin_px && f64::from(off) <= reach_px;
@@ -213,12 +228,6 @@ pub(super) fn mm_per_px(points: &[PixelPoint]) -> Option<f64> {
     Some(per_px * depth).filter(|mm| mm.is_finite() && *mm > 0.0)
 }
 
-/// The value at a pixel; `None`: it lies outside.
-pub(super) fn at<T>(raster: &Raster<T>, [u, v]: [u32; 2]) -> Option<&T> {
-    let (u, v) = (u as usize, v as usize);
-    if u < raster.width { raster.values.get(v * raster.width + u) } else { None }
-}
-
 /// The upper median; `None` without any.
 pub(super) fn median(mut of: Vec<f64>) -> Option<f64> {
     let middle = of.len() / 2;
@@ -231,6 +240,9 @@ fn frame(under: &[Point3<f64>], around: &[Point3<f64>]) -> Option<Isometry3<f64>
     let (mut origin, mut normal) = (Point3::origin(), Vector3::zeros());
     for _ in 0..6 {
         let (middle, spread) = spread(around.iter().zip(weights.iter().copied()));
+        if !spread.iter().all(|x| x.is_finite()) {
+            return None;
+        }
         let eigen = SymmetricEigen::new(spread);
         normal = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into_owned();
         origin = middle;
@@ -243,6 +255,9 @@ fn frame(under: &[Point3<f64>], around: &[Point3<f64>]) -> Option<Isometry3<f64>
     }
     let z = if normal.dot(&origin.coords) > 0.0 { -normal } else { normal };
     let (_, spread) = spread(under.iter().map(|p| (p, 1.0)));
+    if !spread.iter().all(|x| x.is_finite()) {
+        return None;
+    }
     let eigen = SymmetricEigen::new(spread);
     let longest = eigen.eigenvectors.column(eigen.eigenvalues.imax()).into_owned();
     let x = (longest - z * z.dot(&longest)).try_normalize(1e-9)?;

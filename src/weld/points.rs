@@ -1,6 +1,6 @@
 //! From pixels with a depth to points (P4, Eq. 5): z = d / s, x and y along the pixel's ray.
 
-use super::camera::Camera;
+use super::camera::DepthCamera;
 use super::raster::{DepthImage, Mask};
 use nalgebra::Point3;
 
@@ -14,7 +14,7 @@ pub struct PixelPoint {
 }
 
 /// The points of the pixels that have a depth and a ray, row by row; with a mask only of those that belong to it.
-pub fn points(depth: &DepthImage, camera: &Camera, mask: Option<&Mask>) -> Vec<PixelPoint> {
+pub fn points(depth: &DepthImage, camera: &DepthCamera, mask: Option<&Mask>) -> Vec<PixelPoint> {
     let taken = |u: usize, v: usize| mask.is_none_or(|m| m.at(u, v) == Some(&true));
     let point = |([u, v], units): ([usize; 2], &f32)| {
         let z = camera.depth_mm(*units).filter(|_| taken(u, v))?;
@@ -32,7 +32,7 @@ mod tests {
 
     #[test]
     fn only_masked_pixels_with_a_depth_become_points() {
-        let camera = Camera { units_per_mm: 2.0, ..Camera::pinhole(10.0, 20.0, 1.0, 1.0) };
+        let camera = DepthCamera { units_per_mm: 2.0, ..DepthCamera::pinhole(10.0, 20.0, 1.0, 1.0) };
         let depth = Raster::new(3, 2, vec![0.0, 80.0, 100.0, f32::NAN, 60.0, -5.0]).expect("six");
         let all = points(&depth, &camera, None);
         let found: Vec<_> = all.iter().map(|p| (p.pixel, p.point)).collect();

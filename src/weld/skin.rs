@@ -2,7 +2,7 @@
 //! sheet, seen from the camera. It has no bead on it; where two areas are near each other their surfaces pass over into each
 //! other, by how near they are.
 
-use super::camera::Camera;
+use super::camera::DepthCamera;
 use super::parent::{ParentSurface, REACH_MM};
 use super::pixel_distance::distances_px;
 use super::raster::{Mask, Raster};
@@ -26,7 +26,7 @@ pub struct AreaOnParent<'a> {
 }
 
 /// Facets of the skin around areas, in the camera's frame, mm, outward towards the camera. Empty without areas.
-pub fn skin(camera: &Camera, areas: &[AreaOnParent<'_>]) -> Vec<RawFacet> {
+pub fn skin(camera: &DepthCamera, areas: &[AreaOnParent<'_>]) -> Vec<RawFacet> {
     let Some(first) = areas.first() else { return Vec::new() };
     let (width, height) = (first.outline.width, first.outline.height);
     let depth_mm = (first.parent.camera_from_local.translation.vector.z).abs();

@@ -119,7 +119,8 @@ pub fn cut(
     let number = surface_at(&part, &surfaces, at);
     let surface = surfaces.get(number).expect("there");
     let family = {
-        let layout = planes::Raster { surface: number, direction: job.layers.direction, spacing_mm, offset_mm: None };
+        let layout =
+            planes::PlaneRaster { surface: number, direction: job.layers.direction, spacing_mm, offset_mm: None };
         planes::planes(&part.mesh, &surfaces, &[layout], &nalgebra::Rotation3::identity()).remove(0)
     };
     let normals = VertexNormals::new(&part.mesh, &surfaces, surface);

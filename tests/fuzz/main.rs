@@ -1,6 +1,6 @@
 //! Every reader of files that come from outside, given files that nobody would write: parts, jobs, recipes, cells, robots,
-//! heads, and programs of every dialect. It may refuse them; it may not panic, run on without an end, take memory for what
-//! a file only promises, or give what does not hold.
+//! heads, images and cameras, and programs of every dialect. It may refuse them; it may not panic, run on without an end,
+//! take memory for what a file only promises, or give what does not hold.
 //!
 //! A test for each kind. It tries what the project itself writes, then the files of `tests/fuzz/corpus/KIND` (made by
 //! hand, or found here before: what fails is put there under the name of its digest), then a few hundred changes of
@@ -18,3 +18,4 @@ mod run;
 mod setups;
 #[path = "../common/small_programs.rs"]
 mod small_programs;
+mod welds;

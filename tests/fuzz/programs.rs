@@ -35,6 +35,7 @@ fn check_line(line: &ReadLine) {
             goal && pace.is_finite()
         }
         Statement::OutputValue { value, .. } => value.is_finite(),
+        Statement::Force(n) => n.is_finite(),
         Statement::Wait(s) => s.is_finite(),
         Statement::Output { .. } | Statement::Comment(_) | Statement::Other(_) => true,
     };

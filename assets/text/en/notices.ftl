@@ -110,11 +110,11 @@ cure_in_recipe = { $change } in the recipe { $recipe }: that gives lines to { $s
 notice_slow = { $surface }: { $moves ->
     [one] on 1 lit move the spot is slower than the { $wanted } mm/s that are set
    *[other] on { $moves } lit moves the spot is slower than the { $wanted } mm/s that are set
-}, so more energy lands there: the controller's words allow { $possible } mm/s at pass { $pass }, point { $point }
+}, so it works there for longer: the controller's words allow { $possible } mm/s at pass { $pass }, point { $point }
 notice_fast = { $surface }: { $moves ->
     [one] on 1 lit move the spot is faster than the { $wanted } mm/s that are set
    *[other] on { $moves } lit moves the spot is faster than the { $wanted } mm/s that are set
-}, so less energy lands there: the controller has no word for less than { $possible } mm/s at pass { $pass }, point { $point }
+}, so it works there for less time: the controller has no word for less than { $possible } mm/s at pass { $pass }, point { $point }
 remedy_slow = set a lower speed, or choose the correction clearance, which turns the beam less quickly
 remedy_fast = set a higher speed, or another dialect
 notice_remark = { $surface }: { $remark }

@@ -1,7 +1,9 @@
 ### A weld that is ground: its images, its camera, what was measured.
 
 weld_changed = { $file } is another file than when the job was saved; take the images again
+weld_other_size = the images have { $now_width } × { $now_height } pixels, and those before the first pass { $width } × { $height }: take them with the same camera from the same place
 weld_no_area = no area stands out from the skin in the grey image: lower the threshold, or paint the area
+weld_too_many_passes = the bead takes more than 1000 passes of this depth: give a greater depth of a pass
 weld_no_skin = the depth image tells no skin around the areas
 weld_not_on_part = the skin that the camera sees lies nowhere on the part: { $what }
 weld_no_depth_there = nothing was measured in depth where the mask is: take the images again, or paint less
@@ -55,3 +57,21 @@ camera_figure = { $key } = { $value } is no figure of a camera
 camera_size = the camera is for images of { $width } × { $height } pixels, and these have { $image_width } × { $image_height }: it is another camera's file
 camera_off_middle = the camera looks through column { $u }, row { $v } of an image of { $width } × { $height } pixels: it is another camera's file
 camera_focal = a focal length of { $focal } px is none for images { $width } pixels wide: it is another camera's file
+
+## Where the camera stood
+
+hand_eye_key_of_pose = pose { $pose }: { $key }
+hand_eye_keys = give [[pose]] with camera = "hand" or "fixed", or flange_from_camera, or base_from_camera, and one of these alone
+hand_eye_no_flange = flange_from_camera needs base_from_flange: where the hand was when the images were taken
+hand_eye_count = { $key } has { $count ->
+    [one] 1 number
+   *[other] { $count } numbers
+}; a matrix has 16, row by row
+hand_eye_matrix = { $key } is no motion: { $fault }
+hand_eye_few_poses = { $count ->
+    [one] 1 pose tells
+   *[other] { $count } poses tell
+} no camera: take ten, turned about different axes
+hand_eye_small_turns = the poses are turned by { $most }° against each other at most, which tells no camera: turn the hand by 30° and more
+hand_eye_one_axis = all poses are turned about one axis ({ $x }, { $y }, { $z }), which leaves the camera open along it: turn the hand about others, too
+hand_eye_no_fit = no place of the camera fits the poses

@@ -5,18 +5,20 @@
 //! the core's less ρ, to rounding, and no cone has to stand for the round edge.
 //!
 //! # What it may touch
-//! A contact tool lies along the skin that it works on, so touching is no interference. Facets whose normal is within
-//! 60° of the axis ([`SKIN_COSINE`]) are skin: into these the tool may reach by `gouge_mm` and no farther, which is how
-//! it is found to touch beside its contact. All others, and clamps, are walls: from these it keeps the margin.
+//! A contact tool rests on the skin that it works on, so touching is no interference. It rests on a facet if the shortest
+//! way from the facet to it goes up within 60° of the axis ([`REST_COSINE`]): into these it may reach by `gouge_mm` and
+//! no farther, which is how it is found to touch beside its contact. All others, and clamps, stand beside it: from these
+//! it keeps the margin. The way decides, and not the facet's own slope: the side of a plate, over whose rim a disc
+//! sticks out, begins at that rim, which the disc rests on.
 
 use super::grinding::{ContactPlace, Grinding};
 use super::{Abrasive, ContactSide};
 use crate::beam::Frustum;
 
-/// A facet is skin if the cosine between its normal and the tool's axis is this at least, either way round: with a lead
-/// of 30° the sine of the angle that the axis makes with a wall ahead is just that, and a skin may slope by 30° more
-/// than the lead within the disc's reach.
-pub const SKIN_COSINE: f64 = 0.5;
+/// A contact tool rests on a facet if the cosine between its axis and the shortest way from there to it is this at least.
+/// Bracketed by a wall square to the skin straight ahead, which a disc of 30° lead meets at a cosine of 0.5, and by a
+/// skin that slopes by 30° more than that lead within the disc's reach.
+pub const REST_COSINE: f64 = 0.5;
 
 /// A flat disc is given this height, mm: a cut cone needs one.
 const FLAT_MM: f64 = 1e-3;

@@ -108,10 +108,11 @@ fn clear_of_obstacles(job: &Job, setup: &Setup) -> Result<(), JobError> {
     let obstacles = &setup.cell.bodies.obstacles;
     let tool = Tool { clamps: obstacles.clone(), ..setup.tool.clone() };
     let (b, nothing) = (&job.beam, Part::default());
-    let body = ToolGeometry::new(&tool, &job.optics, b.spot_mm, b.defocus_mm, b.margin_mm);
+    let defocus_mm = tool.contact.as_ref().map_or(b.defocus_mm, |grinding| grinding.place().defocus_mm);
+    let body = ToolGeometry::new(&tool, &job.optics, b.spot_mm, defocus_mm, b.margin_mm);
     let laser = setup.cell.base_from_laser.isometry();
     let a = laser.rotation * Vector3::z();
-    let spot = Point3::from(laser.translation.vector) - a * b.defocus_mm;
+    let spot = Point3::from(laser.translation.vector) - a * defocus_mm;
     let blocker = BeamInterference::with(&nothing, body.as_ref()).blocker(&spot, &a);
     let Some(Blocker { tool_body, obstruction: Obstruction::Clamp(i), .. }) = blocker else { return Ok(()) };
     let obstacle = obstacles.get(i as usize).map_or(String::new(), |o| o.file.clone());

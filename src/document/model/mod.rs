@@ -27,13 +27,12 @@ pub use scan_choices::{ContinuedDamage, ContinuedKind, PatchChoice, ScanLines, S
 pub use surfaces::SurfaceParameters;
 pub(super) use surfaces::SurfaceTable;
 pub use weld::JobWeld;
-pub use weld_choices::{
-    AreaChoice, GrindingStrategy, GroundPass, NamedImage, RoughnessReading, WeldFiles,
-};
+pub use weld_choices::{AreaChoice, GrindingStrategy, GroundPass, NamedImage, RoughnessReading, WeldFiles};
 
 use super::recipe::Recipe;
 use super::settings::Settings;
 use crate::beam::{Obstacle, Optics};
+use crate::cell::Mount;
 use crate::part::{Part, Surfaces};
 use crate::pose::Correction;
 use crate::process::DoseParameters;
@@ -80,12 +79,17 @@ impl Job {
         job.beam.speed_mm_s = GRINDING_SPEED_MM_S;
         job.beam.defocus_mm = 0.0;
         job.path.correction = Correction::None;
+        job.path.chord_error_mm = GRINDING_CHORD_ERROR_MM;
+        // What is ground is large, and stands still.
+        job.cell.mount = Some(Mount::ToolInHand);
         job
     }
 }
 
-/// Lines of a disc of 50 mm that leans by 10° leave ridges of 0.011 mm between them at this distance: `s² sin τ / 8r`.
+/// Lines of a disc of 30 mm that leans by 10° leave ridges of 0.018 mm between them at this distance: `s² sin τ / 8r`.
 const GRINDING_SPACING_MM: f64 = 5.0;
+/// Abrasives give way by more; a fifth of it would make four times the targets on a curved skin.
+const GRINDING_CHORD_ERROR_MM: f64 = 0.05;
 /// The slowest of the four feeds that P4 compares.
 const GRINDING_SPEED_MM_S: f64 = 50.0;
 

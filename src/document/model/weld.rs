@@ -3,9 +3,7 @@
 //! `weld_choices`; what the images say is `weld`'s.
 
 use super::declare::{count, parameters};
-use super::weld_choices::{
-    AreaChoice, GrindingStrategy, GroundPass, NamedImage, RoughnessReading, WeldFiles,
-};
+use super::weld_choices::{AreaChoice, GrindingStrategy, GroundPass, NamedImage, RoughnessReading, WeldFiles};
 use crate::weld::masking::BrushStroke;
 use serde::{Deserialize, Serialize};
 

@@ -10,7 +10,7 @@
 mod clip;
 mod extended_surface;
 mod join;
-mod rim;
+pub mod rim;
 mod tree;
 
 #[cfg(test)]

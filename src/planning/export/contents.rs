@@ -3,9 +3,10 @@
 
 use super::conflict::ExportOf;
 use super::error::ExportError;
-use super::output_file::{DOSE, JOB, OutputFile, REPORT, is_plain};
+use super::output_file::{DOSE, JOB, OutputFile, REPORT, WELD_BEAD, WELD_MASK, is_plain};
 use super::program::{self, program, read_back, variant_program};
 use super::tables::{joints_csv, path_csv};
+use super::weld_files::{bead_ply, mask_png};
 use crate::cell::Setup;
 use crate::document::files::{self, InputDigest, JobError};
 use crate::document::{Job, Remembered};
@@ -133,6 +134,10 @@ impl MadeFiles {
             out.push(file("joints.csv", joints_csv(plan, choice).into_bytes()));
         }
         out.extend(dose_ply.map(|ply| file(DOSE, ply)));
+        if let Some(weld) = &plan.weld {
+            out.push(file(WELD_MASK, mask_png(&weld.measured)));
+            out.push(file(WELD_BEAD, bead_ply(weld)));
+        }
         check_names(&out)?;
         let times = plan.timeline.as_ref().map(Timeline::breakdown);
         Ok(MadeFiles { files: out, report, program, plan_sha256, times })
@@ -200,7 +205,8 @@ fn sha256_of(program: &[ProgramFile]) -> String {
 pub(super) fn names_ahead(job: &Job, setup: &Setup, options: &ExportOptions) -> Vec<String> {
     let joints = setup.robot.is_some().then_some("joints.csv");
     let dose = options.has_dose(job).then_some(DOSE);
-    let tables = [JOB, REPORT, "path.csv"].into_iter().chain(dose).chain(joints).map(str::to_owned);
+    let weld = [WELD_MASK, WELD_BEAD].into_iter().filter(|_| job.weld.is_there());
+    let tables = [JOB, REPORT, "path.csv"].into_iter().chain(dose).chain(joints).chain(weld).map(str::to_owned);
     tables.chain(program::names_ahead(job, setup, options.variant)).collect()
 }
 

@@ -19,6 +19,7 @@ mod program;
 mod recorded;
 mod recovery;
 mod tables;
+mod weld_files;
 
 pub use conflict::{ConflictReason, ExportOf, FileConflict};
 pub use contents::{ExportInput, ExportOptions, files};

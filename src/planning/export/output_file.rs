@@ -9,8 +9,13 @@ pub(super) const JOB: &str = "job.toml";
 pub(super) const REPORT: &str = "report.json";
 /// What lands.
 pub(super) const DOSE: &str = "dose.ply";
+/// The pixels of a weld's areas.
+pub(super) const WELD_MASK: &str = "mask.png";
+/// The points of its beads.
+pub(super) const WELD_BEAD: &str = "bead.ply";
 /// Every file of an export that is no program, those of other versions included: all else is taken for one.
-const NOT_PROGRAMS: [&str; 7] = [JOB, REPORT, "path.csv", "joints.csv", "air.csv", DOSE, "report.html"];
+const NOT_PROGRAMS: [&str; 9] =
+    [JOB, REPORT, "path.csv", "joints.csv", "air.csv", DOSE, "report.html", WELD_MASK, WELD_BEAD];
 
 /// Whether a file that an export wrote belongs to its program.
 pub(super) fn is_program(name: &str) -> bool {

@@ -26,10 +26,10 @@ use crate::document::model::JobPart;
 use crate::document::stamps::Stamps;
 use crate::part::{Digest, Part, Source, Surfaces};
 use scan_stages::ScanStages;
-use weld_stages::WeldStages;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use weld_stages::WeldStages;
 
 /// What changed while the pipeline was brought up to date.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

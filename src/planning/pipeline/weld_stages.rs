@@ -53,9 +53,9 @@ impl WeldStages {
         let Some(masked) = self.masked.of(keys.masked) else { return };
         self.measured.poll();
         if self.measured.lacks(keys.measured) {
-            let (read, masked) = (read.clone(), masked.clone());
+            let (read, masked, weld) = (read.clone(), masked.clone(), job.weld.clone());
             self.measured.start(keys.measured, Activity::MeasuringBead, executor, move |progress| {
-                Ok(measure_weld(&read, &masked, progress)?)
+                Ok(measure_weld(&read, &masked, &weld, progress)?)
             });
         }
         let Some(measured) = self.measured.of(keys.measured) else { return };

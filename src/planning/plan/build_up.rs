@@ -15,9 +15,11 @@ use crate::part::ground::Ground;
 use crate::part::growth::{Folds, laid_on};
 use crate::part::patched::{after_layers, before_pass};
 use crate::part::{Digest, GrownPart, GrowthError, Part, Surfaces};
-use crate::path::back_and_forth::back_and_forth;
-use crate::path::planes::{self, Raster};
-use crate::path::{Order, SurfacePlanes};
+use crate::path::along_rim::along_rim;
+use crate::path::back_and_forth::{REACH_IN_SPACINGS, back_and_forth};
+use crate::path::normals::VertexNormals;
+use crate::path::planes::{self, PlaneRaster};
+use crate::path::{Order, SurfacePlanes, TransversalLine};
 use crate::planning::error::PlanError;
 use crate::progress::{Activity, Cancelled, Progress};
 use rayon::prelude::*;
@@ -91,10 +93,6 @@ pub(in super::super) fn grown_parts(
     made.into_iter().collect()
 }
 
-/// Lines of a zigzag are joined at the rim where their ends are no more than so many spacings apart: where a round rim
-/// slopes by 60° against them they are two.
-const BACK_AND_FORTH: f64 = 2.5;
-
 /// What one layer is planned from.
 #[derive(Clone, Copy)]
 pub(in super::super) struct LayerInput<'a> {
@@ -113,7 +111,7 @@ pub(in super::super) struct LayerInput<'a> {
 /// The planes of the surfaces of one layer.
 pub(in super::super) fn families(of: &LayerInput<'_>) -> Vec<SurfacePlanes> {
     let jobs = of.list.iter().filter_map(|n| Some((*n, of.jobs.get(n)?)));
-    let rasters: Vec<Raster> = jobs
+    let rasters: Vec<PlaneRaster> = jobs
         .filter(|(n, job)| layers_of(of.surfaces, *n, job).contains(&of.layer))
         .map(|(n, job)| raster(n, job))
         .collect();
@@ -141,6 +139,27 @@ pub(in super::super) fn layer_toolpaths(
     Ok(toolpaths.collect::<Result<Vec<Option<_>>, Cancelled>>()?.into_iter().flatten().collect())
 }
 
+/// The lines of a surface that is ground as the tool runs them: it stays on the surface from line to line of a zigzag, and
+/// along the rim where that cuts a spiral.
+fn without_lifting(
+    of: &LayerInput<'_>,
+    number: u32,
+    job: &Job,
+    lines: Vec<TransversalLine>,
+    progress: &Progress,
+) -> Result<Vec<TransversalLine>, Cancelled> {
+    let (mesh, surfaces) = (&of.part.mesh, of.surfaces);
+    let (Some(ground), Some(surface)) = (surfaces.ground(number), surfaces.get(number)) else { return Ok(lines) };
+    match job.weld.strategy_of(ground.is_bead()) {
+        GrindingStrategy::Zigzag => Ok(back_and_forth(lines, REACH_IN_SPACINGS * job.layers.spacing_mm)),
+        GrindingStrategy::Spiral => {
+            let normals = VertexNormals::new_under(progress, mesh, surfaces, surface)?;
+            Ok(along_rim(mesh, surface, &normals, lines))
+        }
+        GrindingStrategy::OneWay | GrindingStrategy::Along => Ok(lines),
+    }
+}
+
 /// Plans one layer, its surfaces in the order of work. The pieces that it is made of go into `used`.
 pub(in super::super) fn plan_layer(
     of: &LayerInput<'_>,
@@ -149,7 +168,7 @@ pub(in super::super) fn plan_layer(
     used: &mut PlanCacheContents,
     progress: &Progress,
 ) -> Result<Vec<Arc<SurfacePlan>>, PlanError> {
-    let (part, surfaces, jobs, tool) = (of.part, of.surfaces, of.jobs, &setup.tool);
+    let (part, jobs, tool) = (of.part, of.jobs, &setup.tool);
     let default = Job::default();
     let job_of = |n: u32| jobs.get(&n).map_or(&default, |j| j);
     let toolpaths = layer_toolpaths(of, cache, progress)?;
@@ -158,12 +177,7 @@ pub(in super::super) fn plan_layer(
     for (key, toolpath) in &toolpaths {
         let job = job_of(toolpath.surface);
         let mut ordered = toolpath::ordered(toolpath, &job.layers, spot.as_ref());
-        if surfaces
-            .ground(toolpath.surface)
-            .is_some_and(|g| job.weld.strategy_of(g.is_bead()) == GrindingStrategy::Zigzag)
-        {
-            ordered.lines = back_and_forth(ordered.lines, BACK_AND_FORTH * job.layers.spacing_mm);
-        }
+        ordered.lines = without_lifting(of, toolpath.surface, job, ordered.lines, progress)?;
         let from = spot;
         spot = toolpath::end_of(&ordered.lines).or(spot);
         lines.push((*key, from, toolpath.clone(), ordered));

@@ -7,7 +7,7 @@ use crate::document::model::Job;
 use crate::part::surfaces::Surface;
 use crate::part::{Digest, Hasher, Part, SurfaceId, Surfaces, keyed};
 use crate::path::chord::ChordLimits;
-use crate::path::planes::Raster;
+use crate::path::planes::PlaneRaster;
 use crate::path::{SurfacePlanes, dense};
 use crate::planning::error::PlanError;
 use crate::pose::{Correction, LineOnSurface, LineRules, Pass, TargetState, plan_line, plan_line_by_section_plane};
@@ -107,9 +107,9 @@ fn toolpath_key(
 }
 
 /// The planes that a surface's job wants.
-pub(in super::super) fn raster(surface: u32, job: &Job) -> Raster {
+pub(in super::super) fn raster(surface: u32, job: &Job) -> PlaneRaster {
     let l = &job.layers;
-    Raster { surface, direction: l.direction, spacing_mm: l.spacing_mm, offset_mm: l.offset_mm.mm() }
+    PlaneRaster { surface, direction: l.direction, spacing_mm: l.spacing_mm, offset_mm: l.offset_mm.mm() }
 }
 
 /// What the lines of a surface are planned by.

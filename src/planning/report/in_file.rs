@@ -14,6 +14,10 @@ pub fn in_file(
     job: &Job,
     progress: &Progress,
 ) -> Result<Vec<PartFinding>, Cancelled> {
+    // What a camera saw of a skin is open around, and says nothing of a file.
+    if job.is_on_depth_image() {
+        return Ok(Vec::new());
+    }
     let (rule, spot_mm2) = (job.surfaces.rule(), job.beam.spot_area_mm2());
     let shattered = PartFinding::shattered(part, surfaces, &rule, spot_mm2, progress)?;
     Ok(PartFinding::with(PartFinding::of(part), shattered))

@@ -55,9 +55,15 @@ pub struct SurfaceReport {
 
 /// A row for each surface, in the order of work.
 pub(super) fn surface_rows(plan: &Plan, surfaces: &Surfaces) -> Vec<SurfaceReport> {
-    // The first layer has every surface; those above it add to its row.
-    let first = plan.surfaces.iter().filter(|s| s.toolpath.layer == 0);
-    first.map(|s| SurfaceReport::new(plan, surfaces, s.toolpath.surface)).collect()
+    // Layers of one surface share its row; a bead that is ground has none in the first.
+    let all = plan.surfaces.iter().map(|s| s.toolpath.surface);
+    let mut rows: Vec<SurfaceReport> = Vec::new();
+    for surface in all {
+        if rows.iter().all(|row| row.surface != surface) {
+            rows.push(SurfaceReport::new(plan, surfaces, surface));
+        }
+    }
+    rows
 }
 
 impl SurfaceReport {

@@ -1,6 +1,6 @@
 //! Why a job's weld says nothing. Sentences of it stand in `text`.
 
-use crate::cell::hand_eye::HandEyeFileError;
+use crate::cell::hand_eye::file::HandEyeFileError;
 use crate::planning::failure::Failure;
 use crate::progress::Cancelled;
 use crate::scan::registration::RegistrationError;
@@ -9,6 +9,7 @@ use crate::weld::camera::CameraFault;
 use crate::weld::camera_file::CameraFileError;
 use crate::weld::image_file::{ImageFault, ImageFileError};
 use crate::weld::masking::MaskError;
+use crate::weld::passes::PassError;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -29,12 +30,20 @@ pub enum WeldError {
     /// The two images do not belong together.
     #[error(transparent)]
     Pair(ImageFault),
+    /// The images of now are of another size than those before the first pass.
+    #[error("{before:?} before, {now:?} now")]
+    OtherSize {
+        /// Width and height then, px.
+        before: [usize; 2],
+        /// Width and height now, px.
+        now: [usize; 2],
+    },
     /// The camera's file cannot be used.
     #[error(transparent)]
     CameraFile(Arc<CameraFileError>),
     /// The camera is another one's.
     #[error("{file}: {fault}")]
-    Camera {
+    DepthCamera {
         /// The file.
         file: String,
         /// What does not fit.
@@ -52,6 +61,9 @@ pub enum WeldError {
     /// The greatest area cannot be measured.
     #[error(transparent)]
     Bead(WeldBeadError),
+    /// The bead cannot be ground in passes of this depth.
+    #[error(transparent)]
+    Passes(PassError),
     /// The skin around the areas is no part.
     #[error("no skin")]
     NoSkin,

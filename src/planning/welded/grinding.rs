@@ -68,8 +68,10 @@ pub fn ground(
     let cut = PatchCut { above_mm: 0.0, levels_mm: &levels_mm, triangles: &triangles };
     let mut patched = with_patches(&on.part, &on.surfaces, &refined, &cut, progress)?;
     patched.surfaces.grounds = grounds(&patched, &patches);
-    let is_given_out = |area: &AreaOnPart<'_>| area.of.bead.is_none() || passes.held.is_none() && passes.passes_left > 0;
-    let chosen = areas.iter().zip(&patched.patches).filter(|(area, _)| is_given_out(area) && area.of.is_chosen(&job.weld.areas));
+    let is_given_out =
+        |area: &AreaOnPart<'_>| area.of.bead.is_none() || passes.held.is_none() && !passes.left.is_empty();
+    let is_worked = |area: &AreaOnPart<'_>| is_given_out(area) && area.of.is_chosen(&job.weld.areas);
+    let chosen = areas.iter().zip(&patched.patches).filter(|(area, _)| is_worked(area));
     patched.surfaces.worked = Some(chosen.flat_map(|(_, pieces)| pieces.iter().map(|piece| piece.surface)).collect());
     let raised = standing(&patched.part, &patched.surfaces, progress)?;
     Ok(GroundWeld {

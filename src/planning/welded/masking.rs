@@ -4,6 +4,7 @@ use super::{ReadWeld, WeldError};
 use crate::document::model::JobWeld;
 use crate::progress::Progress;
 use crate::weld::masking::{MaskRules, MaskedImage, masked};
+use crate::weld::raster::GreyImage;
 
 /// Masks the grey image. That nothing stands out from the skin is told when it is to be measured: until then its steps can
 /// be looked at.
@@ -11,7 +12,12 @@ use crate::weld::masking::{MaskRules, MaskedImage, masked};
 /// # Errors
 /// It is no image, or the work was cancelled.
 pub fn mask_weld(read: &ReadWeld, weld: &JobWeld, progress: &Progress) -> Result<MaskedImage, WeldError> {
-    masked(&read.grey, &rules(weld), progress).map_err(WeldError::Mask)
+    masked_by(&read.grey, weld, progress)
+}
+
+/// The mask of a grey image.
+pub(super) fn masked_by(grey: &GreyImage, weld: &JobWeld, progress: &Progress) -> Result<MaskedImage, WeldError> {
+    masked(grey, &rules(weld), progress).map_err(WeldError::Mask)
 }
 
 fn rules(weld: &JobWeld) -> MaskRules {

@@ -1,15 +1,17 @@
 //! What the images of a weld show: which masked areas stand above the metal around them, and how high. Areas that cannot be
 //! measured are told, and left alone.
 
+use super::masking::masked_by;
 use super::{ReadWeld, WeldError};
-use crate::document::model::AreaChoice;
+use crate::document::model::{AreaChoice, JobWeld};
 use crate::progress::Progress;
 use crate::weld::bead::{AreaKind, WeldBead, WeldBeadError, kind_of_area, measure};
 use crate::weld::masking::{DefectArea, MaskedImage};
 use crate::weld::parent::{ParentError, ParentSurface};
 use crate::weld::points::points;
-use crate::weld::raster::Mask;
+use crate::weld::raster::{DepthImage, Mask};
 use nalgebra::Point3;
+use serde::{Serialize, Serializer};
 
 /// An area of the mask, measured.
 #[derive(Clone, Debug)]
@@ -27,12 +29,17 @@ pub struct MeasuredArea {
 }
 
 /// An area that could not be measured.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct UnmeasuredArea {
     /// Column and row of its middle, px.
     pub centre_px: [f64; 2],
-    /// Why.
+    /// Why; in reports a few English words.
+    #[serde(rename = "cause", serialize_with = "in_words")]
     pub why: WeldBeadError,
+}
+
+fn in_words<S: Serializer>(why: &WeldBeadError, s: S) -> Result<S::Ok, S::Error> {
+    s.collect_str(why)
 }
 
 /// What was measured.
@@ -42,6 +49,8 @@ pub struct MeasuredWeld {
     pub areas: Vec<MeasuredArea>,
     /// What could not be measured.
     pub unmeasured: Vec<UnmeasuredArea>,
+    /// How far the ground lies below the metal around the bead by now, mm; 0 before anything was ground.
+    pub below_mm: f64,
 }
 
 /// An outline by the grey image is so far off that the metal beside it does not count as sound, px.
@@ -80,15 +89,43 @@ impl MeasuredWeld {
     }
 }
 
-/// Measures every area of a mask.
+/// Measures every area of a mask. Once something was ground that is the mask before the first pass, and what is left of its
+/// bead is measured in the depths of now.
 ///
 /// # Errors
 /// There is no area, the greatest one cannot be measured, or the work was cancelled.
-pub fn measure_weld(read: &ReadWeld, masked: &MaskedImage, progress: &Progress) -> Result<MeasuredWeld, WeldError> {
+pub fn measure_weld(
+    read: &ReadWeld,
+    masked: &MaskedImage,
+    weld: &JobWeld,
+    progress: &Progress,
+) -> Result<MeasuredWeld, WeldError> {
+    let Some((grey, depth)) = &read.before else { return measured_in(masked, &read.depth, read, progress) };
+    let first = masked_by(grey, weld, progress)?;
+    let mut measured = measured_in(&first, depth, read, progress)?;
+    let now = points(&read.depth, &read.camera, None);
+    let covered = first.areas.mask_of_all();
+    for area in &mut measured.areas {
+        let Some(bead) = &area.bead else { continue };
+        let left = bead.remaining(&now, &covered).map_err(|e| WeldError::Bead(e.into()))?;
+        measured.below_mm = measured.below_mm.max(left.state.below_mm);
+        let bead = bead.ground_down(left, &now);
+        area.places = bead.points.iter().map(|p| p.foot).collect();
+        (area.parent, area.bead) = (bead.parent.clone(), Some(bead));
+    }
+    Ok(measured)
+}
+
+fn measured_in(
+    masked: &MaskedImage,
+    depth: &DepthImage,
+    read: &ReadWeld,
+    progress: &Progress,
+) -> Result<MeasuredWeld, WeldError> {
     if masked.areas.list.is_empty() {
         return Err(WeldError::NoArea);
     }
-    let all = points(&read.depth, &read.camera, None);
+    let all = points(depth, &read.camera, None);
     let covered = masked.areas.mask_of_all();
     let (mut beads, mut flat, mut unmeasured) = (Vec::new(), Vec::new(), Vec::new());
     for (place, seen) in masked.areas.list.iter().enumerate() {
@@ -97,7 +134,7 @@ pub fn measure_weld(read: &ReadWeld, masked: &MaskedImage, progress: &Progress) 
         let of_area = |outline, parent: ParentSurface, bead: Option<WeldBead>| {
             let places = match &bead {
                 Some(bead) => bead.points.iter().map(|p| p.foot).collect(),
-                None => points(&read.depth, &read.camera, Some(&area)).iter().map(|p| parent.foot(&p.point).foot).collect(),
+                None => points(depth, &read.camera, Some(&area)).iter().map(|p| parent.foot(&p.point).foot).collect(),
             };
             MeasuredArea { seen: seen.clone(), outline, parent, places, bead }
         };
@@ -120,5 +157,5 @@ pub fn measure_weld(read: &ReadWeld, masked: &MaskedImage, progress: &Progress) 
     if beads.is_empty() {
         return Err(WeldError::Bead(ParentError::NothingCovered.into()));
     }
-    Ok(MeasuredWeld { areas: beads, unmeasured })
+    Ok(MeasuredWeld { areas: beads, unmeasured, below_mm: 0.0 })
 }

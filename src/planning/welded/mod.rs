@@ -23,6 +23,4 @@ pub use reading::{ReadWeld, read_weld};
 pub use so_far::Welded;
 pub use times::area_times;
 pub use weld_on_part::{WeldOnPart, weld_on_part};
-pub use weld_report::{
-    AreaReport, AreaTimes, GroundPassReport, HeldReason, PassReport, RoughnessReport, WeldReport,
-};
+pub use weld_report::{AreaReport, AreaTimes, GroundPassReport, HeldReason, PassReport, RoughnessReport, WeldReport};

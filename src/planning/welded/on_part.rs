@@ -64,12 +64,7 @@ pub fn weld_part(
 }
 
 /// The skin around all areas as the part.
-fn skin_part(
-    read: &ReadWeld,
-    measured: &MeasuredWeld,
-    job: &Job,
-    progress: &Progress,
-) -> Result<WeldPart, WeldError> {
+fn skin_part(read: &ReadWeld, measured: &MeasuredWeld, job: &Job, progress: &Progress) -> Result<WeldPart, WeldError> {
     let areas: Vec<AreaOnParent<'_>> =
         measured.areas.iter().map(|area| AreaOnParent { outline: &area.outline, parent: &area.parent }).collect();
     let raw = RawPart { facets: skin(&read.camera, &areas), solids: 1, ..RawPart::default() };

@@ -1,11 +1,11 @@
 //! The images of a job's weld and the camera that took them, read and checked against each other.
 
 use super::WeldError;
-use crate::cell::hand_eye::{self, SeenFrom};
+use crate::cell::hand_eye::file::{self as hand_eye_file, CameraStand};
 use crate::document::files::resolved;
-use crate::document::model::{JobWeld, NamedImage};
+use crate::document::model::{JobWeld, NamedImage, WeldFiles};
 use crate::progress::Progress;
-use crate::weld::camera::Camera;
+use crate::weld::camera::DepthCamera;
 use crate::weld::camera_file;
 use crate::weld::image_file::{self, ImageFile, ImageFileError, check_pair};
 use crate::weld::raster::{DepthImage, GreyImage};
@@ -20,9 +20,12 @@ pub struct ReadWeld {
     /// Depths in the units of the file.
     pub depth: DepthImage,
     /// The camera that took both.
-    pub camera: Camera,
+    pub camera: DepthCamera,
+    /// The grey image and the depth image before the first pass; `None`: nothing was ground yet. They tell where the bead is,
+    /// of which too little may stand by now to be found.
+    pub before: Option<(GreyImage, DepthImage)>,
     /// Where it stood; `None`: nobody knows.
-    pub seen_from: Option<SeenFrom>,
+    pub seen_from: Option<CameraStand>,
 }
 
 /// Reads the images that a job in `job_file` names.
@@ -38,15 +41,22 @@ pub fn read_weld(weld: &JobWeld, job_file: Option<&Path>, progress: &Progress) -
         }
         Ok(made.image)
     };
-    let grey = read(&images.gray, image_file::read_grey)?;
-    let depth = read(&images.depth, image_file::read_depth)?;
-    check_pair(&grey, &depth).map_err(WeldError::Pair)?;
+    let pair = |of: &WeldFiles| {
+        let (grey, depth) = (read(&of.gray, image_file::read_grey)?, read(&of.depth, image_file::read_depth)?);
+        check_pair(&grey, &depth).map_err(WeldError::Pair)?;
+        Ok::<_, WeldError>((grey, depth))
+    };
+    let (grey, depth) = pair(images)?;
+    let before = weld.history.first().map(|pass| pair(&pass.images)).transpose()?;
+    if let Some((first, _)) = before.as_ref().filter(|(first, _)| first.size() != grey.size()) {
+        return Err(WeldError::OtherSize { before: first.size(), now: grey.size() });
+    }
     let camera = camera_file::read(&resolved(job_file, &images.camera.file));
     let camera = camera.map_err(|e| WeldError::CameraFile(Arc::new(e)))?;
     let named = || images.camera.file.clone();
-    camera.fits(grey.width, grey.height).map_err(|fault| WeldError::Camera { file: named(), fault })?;
+    camera.fits(grey.width, grey.height).map_err(|fault| WeldError::DepthCamera { file: named(), fault })?;
     let seen_from = Some(&weld.hand_eye).filter(|file| !file.is_empty());
-    let seen_from = seen_from.map(|file| hand_eye::read(&resolved(job_file, file))).transpose();
+    let seen_from = seen_from.map(|file| hand_eye_file::read(&resolved(job_file, file))).transpose();
     let seen_from = seen_from.map_err(|e| WeldError::HandEye(Arc::new(e)))?;
-    Ok(ReadWeld { grey, depth, camera, seen_from })
+    Ok(ReadWeld { grey, depth, before, camera, seen_from })
 }

@@ -1,6 +1,6 @@
 //! What is known of a job's weld, as far as its stages have come.
 
-use super::{WeldOnPart, MeasuredWeld, ReadWeld};
+use super::{MeasuredWeld, ReadWeld, WeldOnPart};
 use crate::weld::masking::MaskedImage;
 use std::sync::Arc;
 

@@ -15,6 +15,8 @@ use std::sync::Arc;
 /// A weld on its part.
 #[derive(Clone, Debug)]
 pub struct WeldOnPart {
+    /// What was measured.
+    pub measured: Arc<MeasuredWeld>,
     /// The part without it.
     pub on: WeldPart,
     /// The part as it is ground.
@@ -32,17 +34,18 @@ pub struct WeldOnPart {
 /// # Errors
 /// The camera's points lie nowhere on the part, or the work was cancelled.
 pub fn weld_on_part(
-    (read, measured): (&ReadWeld, &MeasuredWeld),
+    (read, measured): (&ReadWeld, &Arc<MeasuredWeld>),
     model: (&Arc<Part>, &Arc<Surfaces>),
     job: &Job,
     progress: &Progress,
 ) -> Result<WeldOnPart, WeldError> {
     let on = weld_part(read, measured, model, job, progress)?;
-    let passes = WeldProgress::new(measured, &job.weld);
+    let passes = WeldProgress::new(measured, &job.weld)?;
     let ground = ground((read, measured, &on), &passes, job, progress)?;
-    let report = WeldReport::new(measured, (&on, &ground), &passes, job, progress)?;
-    let base_from_camera = read.seen_from.as_ref().map(|seen| seen.base_from_camera());
-    Ok(WeldOnPart { on, ground, passes, report, base_from_camera })
+    let report = WeldReport::new(measured, (&on, &ground), (&passes, read.seen_from.as_ref()), job, progress)?;
+    let base_from_camera = read.seen_from.as_ref().and_then(|seen| seen.base_from_camera);
+    let measured = measured.clone();
+    Ok(WeldOnPart { measured, on, ground, passes, report, base_from_camera })
 }
 
 impl WeldOnPart {

@@ -1,6 +1,13 @@
 //! What is known of a weld and its grinding: what `weld --json` prints, and key `weld` of `report.json`.
 
-use crate::weld::bead::AreaKind;
+use super::{GroundWeld, MeasuredWeld, UnmeasuredArea, WeldPart, WeldProgress, area_times};
+use crate::cell::hand_eye::HandEye;
+use crate::cell::hand_eye::file::CameraStand;
+use crate::document::Job;
+use crate::document::model::RoughnessReading;
+use crate::progress::{Cancelled, Progress};
+use crate::scan::transform_file;
+use crate::weld::bead::{AreaKind, WeldSection};
 use serde::Serialize;
 
 /// What the images say of a weld, and what its grinding comes to. Lengths mm, part frame.
@@ -20,7 +27,10 @@ pub struct WeldReport {
     pub times: Vec<AreaTimes>,
     /// The areas that were found, the greatest first.
     pub areas: Vec<AreaReport>,
-    /// The passes of the bead.
+    /// Areas of the grey image that could not be measured, and are left alone.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unmeasured: Vec<UnmeasuredArea>,
+    /// The passes of the bead that are left.
     pub schedule: Vec<PassReport>,
     /// The passes that were ground, with what they took off.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -34,6 +44,9 @@ pub struct WeldReport {
     pub parent_rms_mm: f64,
     /// From the camera's frame to the part's, row by row.
     pub part_from_camera: [f64; 16],
+    /// How well the poses of the camera's calibration fit; `None`: it was not calibrated here.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hand_eye: Option<HandEyeReport>,
     /// Roughness; `None`: nobody has measured it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<RoughnessReport>,
@@ -129,6 +142,53 @@ pub struct RoughnessReport {
 }
 
 impl WeldReport {
+    /// What there is to report of a measured weld on its part.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when the work should end.
+    pub fn new(
+        measured: &MeasuredWeld,
+        (on, ground): (&WeldPart, &GroundWeld),
+        (passes, camera): (&WeldProgress, Option<&CameraStand>),
+        job: &Job,
+        progress: &Progress,
+    ) -> Result<WeldReport, Cancelled> {
+        let (part, surfaces) = &ground.bare;
+        let times = area_times(measured, (part, surfaces), &ground.patches, job, progress)?;
+        let areas = measured.areas.iter().zip(&ground.patches).map(|(area, pieces)| AreaReport {
+            area: area.kind(),
+            surfaces: pieces.iter().map(|piece| piece.surface.0).collect(),
+            area_mm2: pieces.iter().map(|piece| piece.area_mm2).sum(),
+            aspect: area.seen.aspect,
+            max_height_mm: area.bead.as_ref().map_or(0.0, |bead| bead.max_height_mm),
+            centre_px: area.seen.centroid_px,
+        });
+        let report = WeldReport {
+            times,
+            areas: areas.collect(),
+            unmeasured: measured.unmeasured.clone(),
+            passes: passes.left.len() as u32,
+            schedule: passes.left.clone(),
+            history: passes.done.clone(),
+            held: passes.held,
+            part_from_camera: transform_file::rows(&on.part_from_camera),
+            hand_eye: camera.and_then(|camera| camera.calibration.as_ref()).map(HandEyeReport::of),
+            roughness: RoughnessReport::of(&job.weld.roughness),
+            ..WeldReport::default()
+        };
+        let Some(bead) = measured.bead() else { return Ok(report) };
+        let centre = |s: &WeldSection| (on.part_from_camera * s.centre).coords.into();
+        Ok(WeldReport {
+            max_height_mm: bead.max_height_mm,
+            width_mm: bead.width_mm,
+            length_mm: bead.length_mm,
+            centre_line_mm: bead.sections.iter().map(centre).collect(),
+            noise_mm: bead.parent.noise_mm,
+            parent_rms_mm: bead.parent.rms_mm,
+            ..report
+        })
+    }
+
     /// Whether an area stands above the surface around it.
     pub fn has_bead(&self) -> bool {
         self.areas.iter().any(|a| a.area == AreaKind::Bead)
@@ -142,4 +202,72 @@ impl AreaTimes {
         (0..3).fold(2, |best, i| if all[i] < all[best] { i } else { best })
     }
 }
-impl WeldReport { pub fn new(_: &super::MeasuredWeld, _: (&super::WeldPart, &super::GroundWeld), _: &super::WeldProgress, _: &crate::document::Job, _: &crate::progress::Progress) -> Result<WeldReport, super::WeldError> { Ok(WeldReport::default()) } }
+
+/// How well the poses of a hand-eye calibration fit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HandEyeReport {
+    /// Distance of the target from where it ought to be, of each pose, mm.
+    pub off_mm: Vec<f64>,
+    /// Angle between the two, of each pose, degrees.
+    pub turned_deg: Vec<f64>,
+    /// Whether there are fewer poses than there should be.
+    pub few_poses: bool,
+}
+
+impl HandEyeReport {
+    fn of(found: &HandEye) -> HandEyeReport {
+        HandEyeReport {
+            off_mm: found.residuals.iter().map(|r| r.off_mm).collect(),
+            turned_deg: found.residuals.iter().map(|r| r.turned_deg).collect(),
+            few_poses: found.is_of_few_poses(),
+        }
+    }
+}
+
+impl RoughnessReport {
+    /// Of the points that were measured before and after; `None`: there are none.
+    pub fn of(readings: &[RoughnessReading]) -> Option<RoughnessReport> {
+        let both: Vec<(f64, f64)> = readings.iter().filter_map(|r| Some((r.before_um, r.after_um?))).collect();
+        let count = both.len() as f64;
+        let mean = |of: fn(&(f64, f64)) -> f64| both.iter().map(of).fold(0.0, |a, b| a + b) / count;
+        let (before_um, after_um) = (mean(|r| r.0), mean(|r| r.1));
+        (!both.is_empty()).then(|| RoughnessReport {
+            points: both.len(),
+            before_um,
+            after_um,
+            fell_percent: 100.0 * (before_um - after_um) / before_um.max(f64::MIN_POSITIVE),
+            roughest_um: both.iter().map(|r| r.1).fold(0.0, f64::max),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roughness_is_told_of_points_that_were_measured_both_times() {
+        let reading = |point, before_um, after_um| RoughnessReading { point, before_um, after_um };
+        assert_eq!(RoughnessReport::of(&[reading(1, 3.0, None)]), None);
+        let told =
+            RoughnessReport::of(&[reading(1, 3.0, Some(0.6)), reading(2, 2.0, Some(0.4)), reading(3, 9.0, None)]);
+        let told = told.expect("two points");
+        assert_eq!((told.points, told.before_um, told.after_um, told.roughest_um), (2, 2.5, 0.5, 0.6));
+        assert!((told.fell_percent - 80.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_quickest_of_equals_is_the_spiral() {
+        let times = |one_way_s, zigzag_s, spiral_s| AreaTimes {
+            area: AreaKind::Flat,
+            speed_mm_s: 50.0,
+            one_way_s,
+            zigzag_s,
+            spiral_s,
+            lifts: [0; 3],
+        };
+        assert_eq!(times(9.0, 5.0, 4.0).quickest(), 2);
+        assert_eq!(times(9.0, 3.0, 4.0).quickest(), 1);
+        assert_eq!(times(4.0, 4.0, 4.0).quickest(), 2);
+    }
+}

@@ -1,18 +1,26 @@
-//! What of the part a contact tool lies along, and on which side of it the tool is.
+//! Whether a contact tool rests on a facet or stands beside it, and on which side of it the tool is.
 
-use crate::beam::contact_tool::contact_body::SKIN_COSINE;
+use crate::beam::contact_tool::contact_body::REST_COSINE;
 use crate::beam::frustum::PlacedFrustum;
 use crate::part::angle;
 use nalgebra::{Point3, Vector3};
 
-/// Whether a contact tool of this axis lies along a facet; it may touch those. All others are walls.
-pub(super) fn is_skin(a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> bool {
-    let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
-    n.dot(a).abs() >= SKIN_COSINE * n.norm()
+/// How far a body stands over a facet that it rests on, mm: the shortest way from the facet to it goes up along the
+/// axis. `None`: it stands beside the facet, or reaches through a wall.
+pub(super) fn rest(body: &PlacedFrustum, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> Option<f64> {
+    let way = body.separation(corners);
+    let mm = way.norm();
+    // Where it reaches into the facet no way tells, and the facet's own slope does.
+    let up = if mm > 1e-9 { way.dot(a) / mm } else { angle::unit(normal(corners))?.dot(a).abs() };
+    (up >= REST_COSINE).then_some(mm)
 }
 
-/// Whether a body is farther than `keeps_mm` in front of a facet's plane, all of it.
-pub(super) fn is_before(body: &PlacedFrustum, corners: &[Point3<f64>; 3], keeps_mm: f64) -> bool {
-    let n = angle::unit((corners[1] - corners[0]).cross(&(corners[2] - corners[0])));
+/// Whether all of a body is farther than `keeps_mm` in front of the plane of a facet that it lies along.
+pub(super) fn is_before(body: &PlacedFrustum, a: &Vector3<f64>, corners: &[Point3<f64>; 3], keeps_mm: f64) -> bool {
+    let n = angle::unit(normal(corners)).filter(|n| n.dot(a) >= REST_COSINE);
     n.is_some_and(|n| body.height_over(&corners[0], &n) > keeps_mm)
+}
+
+fn normal(corners: &[Point3<f64>; 3]) -> Vector3<f64> {
+    (corners[1] - corners[0]).cross(&(corners[2] - corners[0]))
 }

@@ -41,13 +41,22 @@ struct ToolShape<'f> {
 }
 
 impl ToolShape<'_> {
-    /// The clearance that it keeps from a facet, mm; `None`: the facet does not count. `own`: the spot stands on it;
-    /// `is_skin`: a contact tool lies along it.
-    fn keeps_from(&self, own: bool, is_skin: bool) -> Option<f64> {
-        match self.tool_body {
-            ToolBody::Beam => (!own).then_some(self.keeps_mm),
-            ToolBody::Head => Some(self.keeps_mm),
-            ToolBody::Abrasive | ToolBody::Gouge => Some(if is_skin { self.skin_mm } else { self.keeps_mm }),
+    /// Which body it counts as where a facet is nearer than it keeps, and by `more_mm` more; `None`: it keeps clear.
+    /// `own`: the spot stands on the facet; `of_part`: a contact tool may rest on it.
+    fn met(
+        &self,
+        (placed, a): (&PlacedFrustum, &Vector3<f64>),
+        corners: &[Point3<f64>; 3],
+        (own, of_part): (bool, bool),
+        more_mm: f64,
+    ) -> Option<ToolBody> {
+        if self.tool_body == ToolBody::Beam && own || !placed.is_near(corners, self.keeps_mm + more_mm) {
+            return None;
+        }
+        let rests = self.tool_body == ToolBody::Abrasive && of_part;
+        match rests.then(|| skin::rest(placed, a, corners)).flatten() {
+            Some(rest_mm) => (rest_mm <= self.skin_mm + more_mm).then_some(ToolBody::Gouge),
+            None => Some(self.tool_body),
         }
     }
 
@@ -79,18 +88,14 @@ impl<'a> BeamInterference<'a> {
     /// Whether up to 32 of the tool's bodies keep their margin, all in one traversal.
     fn are_free(&self, shapes: &[ToolShape<'_>], p: &Point3<f64>, a: &Vector3<f64>) -> bool {
         let all = (1u64 << shapes.len()) - 1;
-        let grinds = !self.has_ray();
         self.obstacles().all(|(clamp, bvh, at)| {
             let (p, a) = into_frame(at.as_ref(), p, a);
             let placed: Vec<PlacedFrustum> = shapes.iter().map(|shape| shape.frustum.placed(&p, &a)).collect();
             let among = |of: u32| (0..shapes.len()).filter(move |i| of >> i & 1 == 1);
             let hits = |corners: &[Point3<f64>; 3], of: u32| {
                 let own = clamp.is_none() && leaves(&p, &a, corners);
-                let is_skin = grinds && clamp.is_none() && skin::is_skin(&a, corners);
-                among(of).any(|i| {
-                    let keeps_mm = shapes[i].keeps_from(own, is_skin);
-                    keeps_mm.is_some_and(|keeps_mm| placed[i].is_near(corners, keeps_mm))
-                })
+                let facet = (own, clamp.is_none());
+                among(of).any(|i| shapes[i].met((&placed[i], &a), corners, facet, 0.0).is_some())
             };
             // The facet that was hit last is likely to be hit again.
             if self.last_body_facet.get().is_some_and(|corners| clamp.is_none() && hits(&corners, all as u32)) {
@@ -132,7 +137,6 @@ impl<'a> BeamInterference<'a> {
         p: &Point3<f64>,
         a: &Vector3<f64>,
     ) -> Option<(ToolBody, Obstruction)> {
-        let grinds = !self.has_ray();
         self.obstacles().find_map(|(clamp, bvh, at)| {
             let (p, a) = into_frame(at.as_ref(), p, a);
             let placed = shape.frustum.placed(&p, &a);
@@ -141,13 +145,8 @@ impl<'a> BeamInterference<'a> {
                 |lo, hi| placed.near_box(lo, hi, shape.most_mm()),
                 |facet, corners| {
                     let own = clamp.is_none() && leaves(&p, &a, corners);
-                    let is_skin = grinds && clamp.is_none() && skin::is_skin(&a, corners);
-                    let keeps_mm = shape.keeps_from(own, is_skin);
-                    if keeps_mm.is_some_and(|keeps_mm| placed.is_near(corners, keeps_mm)) {
-                        let gouges = is_skin && shape.tool_body == ToolBody::Abrasive;
-                        let tool_body = if gouges { ToolBody::Gouge } else { shape.tool_body };
-                        hit = Some((tool_body, clamp.unwrap_or(Obstruction::Facet(facet))));
-                    }
+                    let met = shape.met((&placed, &a), corners, (own, clamp.is_none()), 0.0);
+                    hit = met.map(|tool_body| (tool_body, clamp.unwrap_or(Obstruction::Facet(facet))));
                     hit.is_none()
                 },
             );
@@ -207,8 +206,8 @@ impl<'a> BeamInterference<'a> {
                 bvh.visit_near_boxes(
                     |lo, hi| placed.near_box(lo, hi, nearest.get()),
                     |_, corners| {
-                        let is_wall = clamp.is_some() || !skin::is_skin(&a, corners);
-                        if is_wall && placed.is_near(corners, nearest.get()) {
+                        let is_wall = || clamp.is_some() || skin::rest(&placed, &a, corners).is_none();
+                        if placed.is_near(corners, nearest.get()) && is_wall() {
                             nearest.set(nearest.get().min(placed.distance_mm(corners)));
                         }
                         nearest.get() > 0.0
@@ -265,7 +264,6 @@ impl<'a> BeamInterference<'a> {
         let half_mm = 0.5 * (to.p - from.p).norm();
         let half_turn = libm::sin(0.25 * angle::between_deg(&from.a, &to.a).to_radians()) * 2.0;
         let mut worst = Conflict::None;
-        let grinds = body.contact.is_some();
         for shape in Self::shapes(body) {
             let reach_mm = shape.frustum.reach_mm();
             let moved_mm = half_mm + half_turn * reach_mm + stray_mm(reach_mm);
@@ -280,18 +278,18 @@ impl<'a> BeamInterference<'a> {
                         let harmless = own
                             && (leaves(&from.p, &from.a, corners) && leaves(&to.p, &to.a, corners)
                                 || !rises(&from, corners, sag_mm) && !rises(&to, corners, sag_mm));
-                        let is_skin = grinds
-                            && clamp.is_none()
-                            && [&from, &middle, &to].iter().all(|q| skin::is_skin(&q.a, corners));
                         // In front of a facet's plane at both ends is in front of it on the way.
                         let stays_before = || {
                             let before_mm = shape.skin_mm + moved_mm - half_mm;
                             let is_before =
-                                |q: &Pose| skin::is_before(&shape.frustum.placed(&q.p, &q.a), corners, before_mm);
-                            is_skin && is_before(&from) && is_before(&to)
+                                |q: &Pose| skin::is_before(&shape.frustum.placed(&q.p, &q.a), &q.a, corners, before_mm);
+                            shape.tool_body == ToolBody::Abrasive
+                                && clamp.is_none()
+                                && is_before(&from)
+                                && is_before(&to)
                         };
-                        let keeps_mm = shape.keeps_from(false, is_skin).unwrap_or(shape.keeps_mm) + moved_mm;
-                        met = met || !harmless && !stays_before() && placed.is_near(corners, keeps_mm);
+                        let meets = || shape.met((&placed, &middle.a), corners, (false, clamp.is_none()), moved_mm);
+                        met = met || !harmless && !stays_before() && meets().is_some();
                         !met
                     },
                 );

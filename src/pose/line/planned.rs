@@ -5,7 +5,7 @@ use super::super::clearance;
 use super::super::interference::{BeamInterference, Blocker};
 use super::super::target::{Pass, Split, Target, TargetState, against_normal_deg, travel};
 use super::super::{Pose, motion};
-use super::contact_stand::ContactStand;
+use super::contact_stand::{ContactStand, headings};
 use crate::beam::ContactPlace;
 use crate::part::angle;
 use crate::path::chord::{self, ChordLimits, LinePlace};
@@ -38,6 +38,10 @@ pub(super) struct Planned {
     /// How a contact tool stands on the line; `None`: a beam, whose axis begins in the point.
     contact: Option<ContactPlace>,
 }
+
+/// The foot of a contact tool may go so far beside its way, mm: the contact shifts by as much within the surface, a
+/// twenty-fifth of the 5 mm between lines, and what that is in depth the sweep looks at.
+const FOOT_ERROR_MM: f64 = 0.2;
 
 impl Planned {
     /// Along the normals, or corrected away from them; `None`: blocked.
@@ -141,14 +145,13 @@ impl Planned {
             })
             .collect();
         simplify(&self.points, &fixed, limits, |from, to| {
-            self.may_span(beam, from, to, limits.max_turn_deg)
-                && self.feet_keep_to_chord(from, to, limits.chord_error_mm)
+            self.may_span(beam, from, to, limits.max_turn_deg) && self.feet_keep_to_chord(from, to)
         })
     }
 
-    /// Whether the feet of a contact tool between two places lie within the chord error of the straight line that its
-    /// foot goes: where a line bends within the surface they go a wider way than the contact.
-    fn feet_keep_to_chord(&self, i: LinePlace, j: LinePlace, chord_error_mm: f64) -> bool {
+    /// Whether the feet of a contact tool between two places lie near the straight line that its foot goes: where a line
+    /// bends within the surface they go a wider way than the contact.
+    fn feet_keep_to_chord(&self, i: LinePlace, j: LinePlace) -> bool {
         let Some(place) = self.contact.filter(|place| place.behind_mm != 0.0) else { return true };
         let at = |p: LinePlace| self.axis(p).map(|a| self.stand(&p.point_on(&self.points), a).p);
         let (Some(from), Some(to)) = (at(i), at(j)) else { return true };
@@ -158,7 +161,7 @@ impl Planned {
             let Some(a) = self.axes[k] else { return true };
             let foot = place.foot(&self.points[k].p, &self.points[k].n, &a);
             let along = ((foot - from).dot(&line) / length2).clamp(0.0, 1.0);
-            (foot - (from + line * along)).norm() <= chord_error_mm
+            (foot - (from + line * along)).norm() <= FOOT_ERROR_MM
         })
     }
 
@@ -213,7 +216,10 @@ impl Planned {
 
     /// Fills a pass with targets at the places that were kept.
     pub(super) fn fill(&self, beam: &BeamInterference<'_>, pass: Pass, kept: &[LinePlace]) -> Pass {
-        let tangents = dense::tangents(&self.points, pass.closed);
+        let tangents = match self.contact {
+            Some(_) => headings(&self.points, pass.closed),
+            None => dense::tangents(&self.points, pass.closed),
+        };
         let mut targets: Vec<Target> = Vec::with_capacity(kept.len());
         let mut splits = Vec::new();
         for &place in kept {

@@ -40,15 +40,16 @@ pub fn camera_toml() -> String {
     )
 }
 
-/// The truth as JSON: greatest height, greatest and least width, length along the centre line, the noise of the depth,
+/// The truth as JSON: greatest height, median, least and greatest width, length along the centre line, the noise of the depth,
 /// the ground place's area in the panel's plane, all of mm or mm²; and `camera_from_panel`, 16 numbers row by row.
 pub fn truth_json(scene: &WeldScene) -> String {
     let rows: Vec<f64> = scene.camera_from_panel.to_homogeneous().transpose().iter().copied().collect();
     let line: Vec<[f64; 3]> = scene.centre_line(71).iter().map(|p| [p.x, p.y, p.z]).collect();
     let truth = serde_json::json!({
         "max_height_mm": BEAD_HEIGHT_MM[1],
-        "width_mm": BEAD_WIDTH_MM[1],
+        "width_mm": scene.width_mm(),
         "least_width_mm": BEAD_WIDTH_MM[0],
+        "most_width_mm": BEAD_WIDTH_MM[1],
         "length_mm": scene.length_mm(),
         "noise_mm": NOISE_MM,
         "ground_area_mm2": scene.panel.ground_area_mm2(),

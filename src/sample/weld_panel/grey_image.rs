@@ -2,7 +2,7 @@
 //! with its grooves, scratches, spatter, and the camera's noise.
 
 use super::seen::Seen;
-use super::{HEIGHT, WIDTH};
+use super::{HEIGHT, WIDTH, normals};
 use crate::sample::FixedNumbers;
 
 /// Standard deviation of the camera's noise, levels.
@@ -19,12 +19,13 @@ const LENS: [f64; 3] = [0.570, 0.207, 0.008];
 pub(super) fn levels(seen: &[Seen], seed: u64) -> Vec<u8> {
     let mut numbers = FixedNumbers::new(seed.wrapping_mul(2).wrapping_add(1));
     let damage = damage(&mut numbers);
-    let grooves: Vec<f64> = (0..512).map(|_| numbers.normal_vector().x).collect();
+    let grooves: Vec<f64> = normals(&mut numbers, 512);
     let bare: Vec<f64> = seen.iter().enumerate().map(|(i, s)| level(seen, i, s, &grooves)).collect();
     let shares = seen.iter().map(|s| if s.bead.is_some() { ON_BEAD } else { 1.0 });
     let marked: Vec<f64> = bare.iter().zip(&damage).zip(shares).map(|((b, d), share)| b + share * d).collect();
     let sharp = through_lens(&through_lens(&marked, 1, WIDTH), WIDTH, HEIGHT);
-    sharp.iter().map(|x| (x + NOISE * numbers.normal_vector().x).round().clamp(0.0, 255.0) as u8).collect()
+    let noise = normals(&mut numbers, sharp.len());
+    sharp.iter().zip(noise).map(|(x, n)| (x + NOISE * n).round().clamp(0.0, 255.0) as u8).collect()
 }
 
 /// The level without damage and noise.

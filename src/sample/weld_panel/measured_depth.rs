@@ -3,7 +3,7 @@
 
 use super::files::DEPTH_UNITS_PER_MM;
 use super::seen::Seen;
-use super::{HEIGHT, WIDTH};
+use super::{HEIGHT, WIDTH, normals};
 use crate::sample::FixedNumbers;
 
 /// Share of pixels without a depth.
@@ -20,9 +20,10 @@ pub(super) fn depths(seen: &[Seen], noise_mm: f64, seed: u64) -> Vec<u16> {
     let is_hole = holes(&mut numbers);
     let is_bead = |i: usize| seen.get(i).is_some_and(|s| s.bead.is_some());
     let mut all = Vec::with_capacity(seen.len());
-    for (i, (s, is_hole)) in seen.iter().zip(is_hole).enumerate() {
+    let noises = normals(&mut numbers, seen.len());
+    for (i, ((s, is_hole), noise)) in seen.iter().zip(is_hole).zip(noises).enumerate() {
         // All numbers are drawn, so that noise and holes stay where they are if the bead moves.
-        let (noise, flies, flight) = (numbers.normal_vector().x, numbers.share() < FLYING, numbers.share());
+        let (flies, flight) = (numbers.share() < FLYING, numbers.share());
         let near = [i.wrapping_sub(1), i + 1, i.wrapping_sub(WIDTH), i + WIDTH];
         let is_rim = near.into_iter().any(|j| is_bead(j) != is_bead(i));
         let off_mm = if flies && is_rim { FLIGHT_MM[0] + flight * (FLIGHT_MM[1] - FLIGHT_MM[0]) } else { 0.0 };

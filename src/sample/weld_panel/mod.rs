@@ -15,6 +15,7 @@ mod seen;
 pub use files::{DEPTH_UNITS_PER_MM, camera_toml, depth_png, grey_png, truth_json};
 pub use panel::{BEAD_HEIGHT_MM, BEAD_WIDTH_MM, WeldPanel};
 
+use super::FixedNumbers;
 use nalgebra::{Isometry3, Point3, Vector3};
 use seen::Seen;
 
@@ -55,6 +56,13 @@ impl WeldScene {
         let camera_from_panel = panel::camera_from_panel();
         let seen = seen::seen(&panel, &camera_from_panel);
         WeldScene { panel, camera_from_panel, seen }
+    }
+
+    /// The scene, made once for all tests.
+    #[cfg(test)]
+    pub fn shared() -> &'static WeldScene {
+        static SCENE: std::sync::LazyLock<WeldScene> = std::sync::LazyLock::new(WeldScene::new);
+        &SCENE
     }
 
     /// The two images, row by row: levels from 0 to 255, and depths in tenths of a millimetre, 0 without one.
@@ -100,9 +108,9 @@ impl WeldScene {
         BEAD_HEIGHT_MM[1]
     }
 
-    /// Greatest width of the bead, mm.
+    /// Median of the bead's widths along its line, mm.
     pub fn width_mm(&self) -> f64 {
-        BEAD_WIDTH_MM[1]
+        self.panel.median_width_mm()
     }
 
     /// Length of the bead's centre line on the skin, from tip to tip, mm.
@@ -118,13 +126,23 @@ impl WeldScene {
     }
 }
 
+/// Normally distributed numbers of mean 0 and deviation 1.
+fn normals(numbers: &mut FixedNumbers, count: usize) -> Vec<f64> {
+    let mut all = Vec::with_capacity(count + 2);
+    while all.len() < count {
+        all.extend(numbers.normal_vector().iter());
+    }
+    all.truncate(count);
+    all
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn every_pixel_lies_on_what_it_shows() {
-        let scene = WeldScene::new();
+        let scene = WeldScene::shared();
         for (i, seen) in scene.seen.iter().enumerate().step_by(7) {
             let point = Point3::from(WeldScene::ray(i % WIDTH, i / WIDTH) * seen.depth_mm);
             let in_panel = scene.camera_from_panel.inverse() * point;
@@ -138,7 +156,7 @@ mod tests {
 
     #[test]
     fn bead_and_ground_place_lie_apart_inside_of_the_image() {
-        let scene = WeldScene::new();
+        let scene = WeldScene::shared();
         let (bead, ground) = (scene.bead_mask(), scene.ground_mask());
         for (i, (b, g)) in bead.iter().zip(&ground).enumerate() {
             let (u, v) = (i % WIDTH, i / WIDTH);
@@ -158,7 +176,7 @@ mod tests {
 
     #[test]
     fn the_bead_is_as_wide_and_as_high_as_told() {
-        let scene = WeldScene::new();
+        let scene = WeldScene::shared();
         let line = scene.panel.centre_line(4001);
         let inner = line.iter().filter(|p| p.x.abs() < 55.0);
         let widths: Vec<f64> = inner.map(|p| scene.panel.width_mm(p.x)).collect();
@@ -176,7 +194,7 @@ mod tests {
 
     #[test]
     fn images_follow_from_their_seed() {
-        let scene = WeldScene::new();
+        let scene = WeldScene::shared();
         let first = scene.images(NOISE_MM, 1);
         assert!(first == scene.images(NOISE_MM, 1));
         assert!(first.0 != scene.images(NOISE_MM, 2).0 && first.1 != scene.images(NOISE_MM, 2).1);
@@ -194,11 +212,11 @@ mod tests {
 
     #[test]
     fn the_files_are_small_and_say_what_they_hold() {
-        let scene = WeldScene::new();
+        let scene = WeldScene::shared();
         let (grey, depth) = scene.images(NOISE_MM, SEED);
         let sizes = [grey_png(&grey).len(), depth_png(&depth).len()];
         assert!(sizes.iter().sum::<usize>() < 900_000, "{sizes:?}");
-        let truth: serde_json::Value = serde_json::from_str(&truth_json(&scene)).expect("JSON");
+        let truth: serde_json::Value = serde_json::from_str(&truth_json(scene)).expect("JSON");
         assert_eq!((truth["max_height_mm"].as_f64(), truth["width_mm"].as_f64()), (Some(15.0), Some(15.0)));
     }
 }

@@ -15,11 +15,12 @@ const SKIN_RADIUS_MM: f64 = 1500.0;
 const WARP_MM: f64 = 1.5;
 /// The bead reaches so far to both sides of x = 0, mm.
 const HALF_LENGTH_MM: f64 = 70.0;
-/// Swing of the S to both sides, mm, and where its middle lies: with the ground place's rim 12 mm away.
+/// Swing of the S to both sides, mm, and where its middle lies: with the ground place's rim some 40 mm away, so that a
+/// disc of 60 mm fits between.
 const SWING_MM: f64 = 9.0;
-const LINE_Y_MM: f64 = -20.0;
+const LINE_Y_MM: f64 = -34.0;
 /// Middle of the ground place, its half axes (46 × 38 mm), mm, and their turn.
-const GROUND_AT_MM: [f64; 2] = [10.0, 31.0];
+const GROUND_AT_MM: [f64; 2] = [10.0, 42.0];
 const GROUND_AXES_MM: [f64; 2] = [23.0, 19.0];
 const GROUND_TURN: f64 = 0.5;
 /// Where the camera stands: distance to the panel's middle, mm, and turns about its x, y and z.
@@ -77,8 +78,13 @@ impl WeldPanel {
 
     /// The place of the skin whose normal leads to a point.
     pub fn foot(&self, point: &Point3<f64>) -> SkinFoot {
+        self.foot_after(point, STEPS)
+    }
+
+    /// The same after so many steps.
+    pub(super) fn foot_after(&self, point: &Point3<f64>, steps: usize) -> SkinFoot {
         let [mut x, mut y] = [point.x, point.y];
-        for _ in 0..STEPS {
+        for _ in 0..steps {
             // The point is put onto the plane that touches the skin, and its place there is the next one.
             let (z, [a, b]) = self.skin(x, y);
             let off = (point.z - z - a * (point.x - x) - b * (point.y - y)) / (1.0 + a * a + b * b);
@@ -102,6 +108,14 @@ impl WeldPanel {
         let last = points.saturating_sub(1).max(1) as f64;
         let at = |k: usize| HALF_LENGTH_MM * (2.0 * k as f64 / last - 1.0);
         (0..points).map(at).map(|x| (x, self.line_y(x))).map(|(x, y)| Point3::new(x, y, self.parent(x, y))).collect()
+    }
+
+    /// Median of the widths along the line, mm.
+    pub fn median_width_mm(&self) -> f64 {
+        let at = |k: i32| self.width_mm(HALF_LENGTH_MM * (f64::from(k) / 500.0 - 1.0));
+        let mut all: Vec<f64> = (0..=1000).map(at).collect();
+        all.sort_by(f64::total_cmp);
+        all[500]
     }
 
     /// Width of the bead where its centre line has this x, mm, between its rims; the tips' rounding left aside.

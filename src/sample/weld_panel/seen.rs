@@ -10,8 +10,10 @@ const HIGHEST_MM: f64 = 15.5;
 /// Steps along the ray in which the bead is looked for, mm of depth: a ray that grazes the bead over less is taken not to
 /// meet it.
 const STEP_MM: f64 = 0.5;
-/// Halvings of such a step: to 1e-9 mm.
-const HALVINGS: usize = 30;
+/// Two steps of the projection are right to this, mm.
+const ROUGH_MM: f64 = 1e-3;
+/// A place on the bead is right to this, mm.
+const FOUND_MM: f64 = 1e-11;
 /// A ray whose place on the skin is so far off the bead's box meets no bead: over 15 mm it moves 5 mm aside at most.
 const ASIDE_MM: f64 = 8.0;
 /// Over this width the ground place's rim fades in, mm.
@@ -46,25 +48,44 @@ fn first_met(panel: &WeldPanel, camera: &Point3<f64>, ray: &Vector3<f64>) -> See
     let skin = camera + ray * depth_mm;
     if is_near_bead(panel, &skin) {
         // Above the bead the gap is positive.
-        let gap = |depth: f64| {
-            let foot = panel.foot(&(camera + ray * depth));
+        let gap = |depth: f64, steps: usize| {
+            let foot = panel.foot_after(&(camera + ray * depth), steps);
             foot.height_mm - panel.bead_height(foot.at[0], foot.at[1])
         };
         let count = (HIGHEST_MM / (ray.z.abs() * STEP_MM)).ceil() as usize;
-        let met = (0..count).rev().map(|k| depth_mm - k as f64 * STEP_MM).find(|d| gap(*d) < -1e-9);
+        let met = (1..count).rev().map(|k| depth_mm - k as f64 * STEP_MM).find(|d| gap(*d, 2) < -ROUGH_MM);
+        // Where the skin itself is under the bead, however thin it is there, the bead is met before.
+        let met = met.or((gap(depth_mm, 7) < 0.0).then_some(depth_mm));
         if let Some(inside) = met {
-            let (mut above, mut below) = (inside - STEP_MM, inside);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (above + below);
-                *(if gap(middle) < 0.0 { &mut below } else { &mut above }) = middle;
-            }
-            depth_mm = below;
+            // The step before may have been inside by less than was looked for.
+            depth_mm = zero([inside - 1.1 * STEP_MM, inside], |d| gap(d, 7));
         }
     }
     let at = panel.foot(&(camera + ray * depth_mm)).at;
     let bead = panel.on_bead(at[0], at[1]);
     let ground = (0.5 + panel.inside_ground_mm(at[0], at[1]) / FADE_MM).clamp(0.0, 1.0);
     Seen { depth_mm, at, bead, ground }
+}
+
+/// Where a falling function is 0: by secants, of which none stays at one end (Dowell and Jarratt 1971, "Illinois").
+fn zero([mut a, mut b]: [f64; 2], value: impl Fn(f64) -> f64) -> f64 {
+    let (mut at_a, mut at_b) = (value(a), value(b));
+    for _ in 0..60 {
+        if at_a <= 0.0 || at_b >= 0.0 {
+            break;
+        }
+        let c = b - at_b * (b - a) / (at_b - at_a);
+        let at_c = value(c);
+        if at_c.abs() < FOUND_MM {
+            return c;
+        }
+        if at_c > 0.0 {
+            (a, at_a, at_b) = (c, at_c, 0.5 * at_b);
+        } else {
+            (b, at_b, at_a) = (c, at_c, 0.5 * at_a);
+        }
+    }
+    if at_a <= 0.0 { a } else { b }
 }
 
 fn is_near_bead(panel: &WeldPanel, skin: &Point3<f64>) -> bool {

@@ -29,12 +29,14 @@ pub(super) struct BinHeight {
 
 /// The section at a station: its heights across, from right to left.
 pub(super) fn section(placed: &[Placed], station: &Station, ends: [f64; 2]) -> Vec<BinHeight> {
-    let from = (station.along_mm - ALONG_MM).max(ends[0]);
-    let to = (station.along_mm + ALONG_MM).min(ends[1]);
+    // Near an end the window stays inside and keeps its length: half of one would tell half as much.
+    let middle = station.along_mm.min(ends[1] - ALONG_MM).max(ends[0] + ALONG_MM);
+    let (from, to) = ((middle - ALONG_MM).max(ends[0]), (middle + ALONG_MM).min(ends[1]));
     binned(between(placed, from, to).iter().map(|p| (p.left_mm, p.height_mm)))
 }
 
-fn binned(points: impl Iterator<Item = (f64, f64)>) -> Vec<BinHeight> {
+/// Heights by their distance beside the line, in bins.
+pub(super) fn binned(points: impl Iterator<Item = (f64, f64)>) -> Vec<BinHeight> {
     let mut all: Vec<(f64, f64)> = points.collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     let of = |p: &(f64, f64)| (p.0 / BIN_MM).floor();

@@ -9,6 +9,8 @@ use rayon::prelude::*;
 
 /// Distance of stations, mm.
 pub(super) const STEP_MM: f64 = 1.0;
+/// No side of a way is longer, mm: a foot that went off to nowhere.
+const MOST_MM: f64 = 1e4;
 /// Every so many stations are looked at first, to find the nearest of all.
 const STRIDE: usize = 4;
 
@@ -38,6 +40,9 @@ pub(super) fn stations(surface: &ParentSurface, way: &[Vector2<f64>]) -> Vec<Sta
     let (mut walked, mut next) = (0.0, 0.0);
     for (flat, solid) in way.windows(2).zip(spatial.windows(2)) {
         let length = (solid[1] - solid[0]).norm();
+        if !(0.0..MOST_MM).contains(&length) {
+            continue;
+        }
         while next <= walked + length && length > 0.0 {
             places.push(flat[0] + (flat[1] - flat[0]) * ((next - walked) / length));
             next += STEP_MM;

@@ -3,12 +3,12 @@
 //! The outline stands on the parent surface, so where the camera looks past a steep flank the pixels on that flank do not
 //! count.
 
-use crate::weld::camera::Camera;
+use crate::weld::camera::DepthCamera;
 use crate::weld::raster::Mask;
 use nalgebra::Point3;
 
 /// Fills a closed line of points in the camera's frame.
-pub(super) fn filled(line: &[Point3<f64>], camera: &Camera, width: usize, height: usize) -> Mask {
+pub(super) fn filled(line: &[Point3<f64>], camera: &DepthCamera, width: usize, height: usize) -> Mask {
     let corners: Vec<[f64; 2]> = line.iter().filter_map(|p| camera.pixel_of(p)).collect();
     let mut values = vec![false; width * height];
     let mut crossings = Vec::new();

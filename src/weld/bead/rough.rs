@@ -1,8 +1,10 @@
 //! The first guess of a bead: pixels that stand above the parent, and a way along them.
 //!
 //! Medians of 5 × 5 heights against a threshold by their noise; of the areas in one piece the one that most of the mask
-//! lies on. The way is the longest of the shortest ways within it, so any open line will do; a ring is cut somewhere.
+//! lies on. The way is the longest of the shortest ways within it, where steps near the rim are dear, so that it keeps to
+//! the middle and any open line will do; a ring is cut somewhere.
 
+use crate::weld::pixel_distance::distances_px;
 use crate::weld::raster::{Mask, Raster};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -74,11 +76,16 @@ pub(super) fn standing_area(medians: &Raster<f32>, mask: &Mask, threshold_mm: f6
     (inside > 0).then_some(Mask { width, height, values })
 }
 
+/// How much dearer a step is on the rim; it falls with the distance from there.
+const RIM: f32 = 12.0;
+
 /// The longest of the shortest ways within an area, by pixels.
 pub(super) fn way_along(area: &Mask) -> Vec<[usize; 2]> {
     let Some(start) = area.values.iter().position(|on| *on) else { return Vec::new() };
-    let (end, _) = furthest(area, start);
-    let (other, before) = furthest(area, end);
+    let from_rim = distances_px(&area.map(|on| !on));
+    let dear = from_rim.map(|d| (1.0 + RIM / d.max(1.0)).min(1.0 + RIM) as u32);
+    let (end, _) = furthest(area, &dear, start);
+    let (other, before) = furthest(area, &dear, end);
     let mut way = Vec::new();
     let mut at = other;
     loop {
@@ -91,8 +98,8 @@ pub(super) fn way_along(area: &Mask) -> Vec<[usize; 2]> {
 }
 
 /// The pixel that is furthest from another within an area, and the pixel before each on the way (Dijkstra; steps of 5,
-/// and of 7 across corners).
-fn furthest(area: &Mask, from: usize) -> (usize, Vec<usize>) {
+/// and of 7 across corners, times how dear the pixel is).
+fn furthest(area: &Mask, dear: &Raster<u32>, from: usize) -> (usize, Vec<usize>) {
     let mut lengths = vec![u32::MAX; area.values.len()];
     let mut before = vec![usize::MAX; area.values.len()];
     let mut open = BinaryHeap::from([Reverse((0, from))]);
@@ -104,9 +111,10 @@ fn furthest(area: &Mask, from: usize) -> (usize, Vec<usize>) {
         }
         last = i;
         for (j, step) in beside(i, area.width, area.height) {
-            if area.values[j] && length + step < lengths[j] {
-                (lengths[j], before[j]) = (length + step, i);
-                open.push(Reverse((length + step, j)));
+            let length = length + step * dear.values[j];
+            if area.values[j] && length < lengths[j] {
+                (lengths[j], before[j]) = (length, i);
+                open.push(Reverse((length, j)));
             }
         }
     }

@@ -189,6 +189,8 @@ mod tests {
         let level = |([u, _], _): ([usize; 2], &bool)| if u > 6 { 90.0 } else { 30.0 };
         let image = Raster { width: 10, height: 6, values: mask.pixels().map(level).collect() };
         let map = areas(&mask, &image, 20.0, 2);
+        let at_border = areas(&drawn(&["..#", "#.."]), &GreyImage::filled(3, 2, 1.0), 0.0, 1);
+        assert!(at_border.list.len() == 2 && at_border.list.iter().all(|a| a.is_cut_off));
         let told: Vec<_> = map.list.iter().map(|a| (a.pixels, a.contrast_sum, a.box_px, a.is_cut_off)).collect();
         assert_eq!(told, [(3, 210.0, [[7, 1], [8, 3]], false), (4, 40.0, [[1, 1], [4, 2]], false)]);
         assert_eq!((map.at(1, 1), map.at(5, 4), map.at(7, 3)), (Some(1), None, Some(0)));

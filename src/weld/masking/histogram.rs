@@ -85,7 +85,11 @@ mod tests {
     fn levels(mean: f64, sigma: f64) -> GreyImage {
         let mut numbers = FixedNumbers::new(5);
         let value = |i: usize| {
-            if i % 5 == 0 { 170.0 + 10.0 * numbers.normal_vector().x } else { mean + sigma * numbers.normal_vector().x }
+            if i.is_multiple_of(5) {
+                170.0 + 10.0 * numbers.normal_vector().x
+            } else {
+                mean + sigma * numbers.normal_vector().x
+            }
         };
         Raster { width: 400, height: 300, values: (0..120_000).map(value).map(|x| x as f32).collect() }
     }

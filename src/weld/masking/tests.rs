@@ -15,10 +15,10 @@ fn grey(scene: &WeldScene, seed: u64) -> GreyImage {
 /// From light alone, over ten seeds: the bead is a long area, the ground place a round one, and both are where they are.
 #[test]
 fn bead_and_ground_place_are_found_in_the_grey_image() {
-    let scene = WeldScene::new();
+    let scene = WeldScene::shared();
     let truths = [raster(scene.bead_mask()), raster(scene.ground_mask())];
     for seed in 0..10 {
-        let masked = masked(&grey(&scene, seed), &MaskRules::default(), &Progress::default()).expect("an image");
+        let masked = masked(&grey(scene, seed), &MaskRules::default(), &Progress::default()).expect("an image");
         let best = |truth: &Mask| {
             let overlaps = (0..masked.areas.list.len()).map(|k| (masked.areas.mask(&[k]).overlap(truth), k));
             overlaps.max_by(|a, b| a.0.total_cmp(&b.0)).expect("areas")
@@ -34,7 +34,7 @@ fn bead_and_ground_place_are_found_in_the_grey_image() {
 
 #[test]
 fn each_step_is_what_the_next_one_is_made_of() {
-    let image = grey(&WeldScene::new(), 3);
+    let image = grey(WeldScene::shared(), 3);
     let progress = Progress::default();
     let stroke = BrushStroke { way_px: vec![[20.0, 20.0], [60.0, 30.0]], radius_px: 9.0, adds: true };
     let rules = MaskRules { painted: vec![stroke], threshold: Some(112.0), ..MaskRules::default() };
