@@ -172,6 +172,6 @@ fn given([gray, depth, camera]: [PathBuf; 3], is_next: bool, progress: &Progress
     let of = camera_file::read(&camera).map_err(|e| WeldError::CameraFile(Arc::new(e)))?;
     let file = camera.display().to_string();
     let (width, height) = (grays.image.width, grays.image.height);
-    of.fits(width, height).map_err(|fault| WeldError::Camera { file, fault })?;
+    of.fits(width, height).map_err(|fault| WeldError::DepthCamera { file, fault })?;
     Ok(GivenImages { gray, depth, camera, sha256: [grays.sha256, depths.sha256], is_next })
 }
