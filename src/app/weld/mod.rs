@@ -3,6 +3,7 @@
 
 mod asking;
 mod images;
+mod taking;
 mod textures;
 mod view;
 

@@ -17,7 +17,7 @@ const GAP: f32 = 6.0;
 /// Least size of an image, points.
 const LEAST: [f32; 2] = [160.0, 120.0];
 /// Under the images: the line that says what is at the cursor, and the scale.
-const BELOW: f32 = 62.0;
+const BELOW: f32 = 70.0;
 
 /// The window, if it is open.
 pub(in super::super::super) fn ui(ctx: &egui::Context, context: Context<'_>, actions: &mut Actions) {
