@@ -15,6 +15,8 @@ pub enum Command {
     Open,
     /// Adds a file to the scan of the part; the user is asked which.
     OpenScan,
+    /// Opens the images of a weld; the user is asked for each.
+    OpenWeld,
     /// Saves the job where it is kept.
     Save,
     /// Saves the job in another file.
@@ -170,6 +172,10 @@ pub enum Toggle {
     DeviationOnModel,
     /// A section through part and scan, as a drawing below the view.
     ScanSection,
+    /// The images of a weld with its mask, in a window.
+    WeldImages,
+    /// The points of a bead by their height, its centre line, and the camera.
+    WeldPoints,
 }
 
 /// Where a command stands in the menu bar.
@@ -254,6 +260,7 @@ macro_rules! table {
 table! {
     Open => command_open, File, ctrl(Key::O);
     OpenScan => command_open_scan, File, with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::O);
+    OpenWeld => command_open_weld, File, ctrl(Key::I);
     Save => command_save, File, ctrl(Key::S);
     SaveAs => command_save_as, File, with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::S);
     Export => command_export, File, ctrl(Key::E);
@@ -310,6 +317,8 @@ table! {
     Toggle(Toggle::DroppedPoints) => command_dropped_points, View, None;
     Toggle(Toggle::DeviationOnModel) => command_deviation_on_model, View, None;
     Toggle(Toggle::ScanSection) => command_scan_section, View, key(Key::X);
+    Toggle(Toggle::WeldImages) => command_weld_images, View, key(Key::V);
+    Toggle(Toggle::WeldPoints) => command_weld_points, View, key(Key::E);
     Theme => command_theme, View, None;
     Plan => command_plan, Plan, ctrl(Key::R);
     Cancel => command_cancel, Plan, None;

@@ -31,6 +31,7 @@ use super::scan_view::ScanView;
 use super::session::Session;
 use super::spacing::{SpacingPicture, SpacingView};
 use super::suggestion_search::BetterSetupPreview;
+use super::weld::{WeldAsking, WeldView};
 use crate::beam::ProcessSettings;
 use crate::document::model::ScanWork;
 use crate::document::{Document, Library};
@@ -39,6 +40,7 @@ use crate::planning::{PlannedJob, Stage};
 use crate::pose::Target;
 use crate::program::{Moment, Timeline};
 use crate::progress::{Activity, Progress};
+use crate::text::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -77,6 +79,10 @@ pub(super) struct Context<'a> {
     pub reading: &'a Reading,
     /// Scans that are on their way into the job.
     pub adding: &'a ScanAdding,
+    /// Images of a weld that are on their way into a job.
+    pub asking: &'a WeldAsking,
+    /// What is shown of the weld.
+    pub weld: &'a WeldView,
 }
 
 impl App {
@@ -99,6 +105,8 @@ impl App {
             answers: &self.answers,
             reading: &self.reading,
             adding: &self.adding,
+            asking: &self.asking,
+            weld: &self.weld,
         }
     }
 }
@@ -150,9 +158,25 @@ impl<'a> Context<'a> {
         self.has_scan() && self.document.job().scan.work == ScanWork::Patches
     }
 
-    /// Surfaces to clean, in the order of work. While a scan's patches are looked for there are none.
+    /// Whether a weld is ground: then its images tell the part's surfaces, and no light lands on them.
+    pub fn has_weld(self) -> bool {
+        self.document.job().weld.is_there()
+    }
+
+    /// Whether a scan or a weld tells what is worked: then nobody chooses surfaces.
+    pub fn is_told_what_to_work(self) -> bool {
+        self.is_worked_by_scan() || self.has_weld()
+    }
+
+    /// Why nobody chooses surfaces.
+    pub fn why_told_what_to_work(self) -> Option<String> {
+        let by_weld = self.has_weld().then(|| say!(weld_panel_tells_worked));
+        by_weld.or_else(|| self.is_worked_by_scan().then(|| say!(scan_panel_tells_worked)))
+    }
+
+    /// Surfaces to clean, in the order of work. While a scan's patches or a weld's areas are looked for there are none.
     pub fn clean_list(self) -> Vec<u32> {
-        if self.is_worked_by_scan() && self.derived.surfaces.worked.is_none() {
+        if self.is_told_what_to_work() && self.derived.surfaces.worked.is_none() {
             return Vec::new();
         }
         self.document.job().chosen(&self.derived.surfaces)
@@ -201,7 +225,8 @@ impl<'a> Context<'a> {
     pub fn progress(self) -> Option<(Activity, f32)> {
         let d = self.derived;
         let computed = [d.pipeline.progress(), self.exporting.progress(), d.suggestions.progress(), d.dose.progress()];
-        let works = [self.reading.progress(), self.adding.progress()].into_iter().chain(computed);
+        let read = [self.reading.progress(), self.adding.progress(), self.asking.progress()];
+        let works = read.into_iter().chain(computed);
         works.flatten().find_map(Progress::now)
     }
 

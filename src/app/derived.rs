@@ -88,7 +88,7 @@ impl Derived {
 
     /// The plan of the document as it is.
     pub fn current_plan(&self, document: &Document) -> Option<&Arc<PlannedJob>> {
-        (self.is_synced(document) && !self.pipeline.waits_for_scan()).then(|| self.pipeline.plan()).flatten()
+        (self.is_synced(document) && !self.waits_for_images()).then(|| self.pipeline.plan()).flatten()
     }
 
     /// Why the document as it is has no plan.
@@ -104,7 +104,7 @@ impl Derived {
         // With a scan there is always a plan: it may be one of nothing.
         let is_empty = || self.surfaces.worked.is_none() && document.job().chosen(&self.surfaces).is_empty();
         let has_surfaces =
-            || self.is_synced(document) && !self.pipeline.waits_for_scan() && self.pipeline.surfaces().is_some();
+            || self.is_synced(document) && !self.waits_for_images() && self.pipeline.surfaces().is_some();
         self.error(document).is_some() || has_surfaces() && (self.current_plan(document).is_some() || is_empty())
     }
 
@@ -117,8 +117,14 @@ impl Derived {
     /// Whether part and surfaces are those of the document as it is, and of the part's file: what is cut, merged and
     /// split is looked for on them. With a scan they are not, since patches have facets that the file has not.
     pub fn has_current_surfaces(&self, document: &Document) -> bool {
-        let is_of_file = !document.job().scan.is_there() && self.surfaces.worked.is_none();
+        let job = document.job();
+        let is_of_file = !job.scan.is_there() && !job.weld.is_there() && self.surfaces.worked.is_none();
         is_of_file && self.is_synced(document) && self.pipeline.surfaces().is_some()
+    }
+
+    /// Whether the patches of a scan or the areas of a weld are not there yet.
+    fn waits_for_images(&self) -> bool {
+        self.pipeline.waits_for_scan() || self.pipeline.waits_for_weld()
     }
 
     fn is_synced(&self, document: &Document) -> bool {

@@ -30,6 +30,20 @@ pub enum Purpose {
     Clamp,
     /// A scan of the part as it is.
     Scan,
+    /// The grey image of a weld.
+    WeldGray,
+    /// Its depth image.
+    WeldDepth,
+    /// The camera that took both.
+    WeldCamera,
+    /// The grey image after a pass was ground.
+    NextGray,
+    /// The depth image after a pass was ground.
+    NextDepth,
+    /// Where the camera stood.
+    HandEye,
+    /// A grinding tool.
+    GrindingTool,
 }
 
 /// Called with the user's answer; `None`: the dialog was cancelled.
@@ -90,6 +104,14 @@ fn cased(endings: &[&str], others: &[&str]) -> Vec<String> {
     both.chain(others.iter().map(|e| (*e).to_owned())).collect()
 }
 
+/// Endings that grey images have and depth images have not, and the other way round.
+const JPEG: [&str; 2] = ["jpg", "jpeg"];
+const PGM: [&str; 1] = ["pgm"];
+
+fn images(besides: &[&str]) -> Vec<String> {
+    cased(&[&["png", "tif", "tiff"], besides].concat(), &[])
+}
+
 /// The system's dialogs.
 pub struct NativeDialogs;
 
@@ -112,6 +134,18 @@ impl FileDialogs for NativeDialogs {
                 Purpose::Head => dialog.add_filter(say!(dialog_head), &parts_and(&["toml"])).pick_file(),
                 Purpose::Clamp => dialog.add_filter(say!(dialog_clamp), &parts_and(&[])).pick_file(),
                 Purpose::Scan => dialog.add_filter(say!(dialog_scan), &cased(&scan::file::ENDINGS, &[])).pick_file(),
+                Purpose::WeldGray | Purpose::NextGray => {
+                    dialog.set_title(say!(dialog_weld_gray)).add_filter(say!(dialog_image), &images(&JPEG)).pick_file()
+                }
+                Purpose::WeldDepth | Purpose::NextDepth => {
+                    dialog.set_title(say!(dialog_weld_depth)).add_filter(say!(dialog_image), &images(&PGM)).pick_file()
+                }
+                Purpose::WeldCamera => {
+                    let dialog = dialog.set_title(say!(dialog_weld_camera));
+                    dialog.add_filter(say!(dialog_camera), &["toml", "json"]).pick_file()
+                }
+                Purpose::HandEye => dialog.add_filter(say!(dialog_hand_eye), &["toml"]).pick_file(),
+                Purpose::GrindingTool => dialog.add_filter(say!(dialog_grinding_tool), &["toml"]).pick_file(),
                 Purpose::Robot => dialog.add_filter(say!(dialog_robot), &["toml"]).pick_file(),
             });
         });

@@ -95,6 +95,10 @@ impl App {
     }
 
     fn why_surfaces_stay(&self) -> String {
-        if self.context().has_scan() { say!(scan_panel_keeps_surfaces) } else { say!(window_part_being_built) }
+        match self.context() {
+            context if context.has_weld() => say!(weld_panel_keeps_surfaces),
+            context if context.has_scan() => say!(scan_panel_keeps_surfaces),
+            _ => say!(window_part_being_built),
+        }
     }
 }

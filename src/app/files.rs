@@ -59,6 +59,13 @@ impl App {
                 self.edit(Edit::Clamps(clamps));
             }
             Purpose::Scan => self.add_scans([path]),
+            Purpose::WeldGray
+            | Purpose::WeldDepth
+            | Purpose::WeldCamera
+            | Purpose::NextGray
+            | Purpose::NextDepth
+            | Purpose::HandEye
+            | Purpose::GrindingTool => self.picked_for_weld(purpose, path),
             Purpose::Robot => {
                 let named = files::relative_to(&path, self.document.file());
                 self.choose_robot(&named);
@@ -198,6 +205,7 @@ impl App {
             Some(AfterGuard::Close) => self.session.may_close = true,
             Some(AfterGuard::Open(path)) => self.open(path),
             Some(AfterGuard::AskOpen) => self.ask(Purpose::Open),
+            Some(AfterGuard::AskWeld) => self.ask(Purpose::WeldGray),
             None => {}
         }
     }

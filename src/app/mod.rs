@@ -48,6 +48,7 @@ mod spacing;
 mod suggestion_search;
 mod sync;
 mod theme;
+mod weld;
 
 pub use command::{Command, Jump, Menu, More, Toggle, TurnAxis};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
@@ -101,6 +102,10 @@ pub struct App {
     section: scan_section::SectionView,
     /// Files that are on their way into the job's scan.
     adding: scan_files::ScanAdding,
+    /// Images of a weld that are on their way into a job.
+    asking: weld::WeldAsking,
+    /// What is shown of the weld, kept while it stays.
+    weld: weld::WeldView,
 }
 
 const RECENT_KEY: &str = "recent";
@@ -139,6 +144,8 @@ impl App {
             tool: scan_tool::ToolView::default(),
             section: scan_section::SectionView::default(),
             adding: scan_files::ScanAdding::default(),
+            asking: weld::WeldAsking::default(),
+            weld: weld::WeldView::default(),
         };
         if let Some(path) = open {
             app.open(path);
@@ -158,6 +165,7 @@ impl eframe::App for App {
         self.take_exported();
         self.take_answers();
         self.take_scans();
+        self.take_weld_images();
         self.take_dropped_files(ctx);
         self.guard_close(ctx);
         // While a question waits for its answer the keys are the question's.
@@ -222,6 +230,7 @@ impl eframe::App for App {
         self.panel(|context, actions| panels::questions::ui(ui.ctx(), context, actions));
         self.panel(|context, actions| panels::dialogs::message(ui.ctx(), context, actions));
         self.panel(|context, actions| panels::compare::ui(ui.ctx(), context, actions));
+        self.panel(|context, actions| panels::weld::images::ui(ui.ctx(), context, actions));
         panels::library::at_cursor(ui.ctx());
         // Edits of this frame are kept with it: there may be no other for a while.
         self.keep_journal();

@@ -13,6 +13,7 @@ use crate::part::{Part, PartFinding, Source};
 use crate::planning::Failure;
 use crate::sample::{SAMPLES, stl_bytes};
 use crate::text::{Sentence as _, say};
+use crate::view::StandardView;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -24,6 +25,13 @@ impl App {
         self.session.said = say!(window_reading, file = path.display().to_string());
         let executor = self.derived.pipeline.executor().clone();
         self.reading.open(path, &*executor);
+    }
+
+    /// Opens a job that is in no file yet.
+    pub(super) fn open_job(&mut self, job: Job) {
+        self.session.said = say!(window_reading, file = &job.part.file);
+        let executor = self.derived.pipeline.executor().clone();
+        self.reading.open_job(job, &*executor);
     }
 
     /// Opens a part or a job, once unsaved changes are dealt with.
@@ -118,7 +126,15 @@ impl App {
         self.adding.cancel();
         self.reading.took(stamp);
         self.session.fit_pending = true;
-        self.remember(&shown);
+        // A depth image by itself is no part that could be opened again.
+        let is_on_image = self.document.job().is_on_depth_image();
+        if is_on_image {
+            // As the camera sees it: x to the right, y down, z into the picture.
+            self.viewport.camera.look(StandardView::Bottom);
+        }
+        if !is_on_image || self.document.file().is_some() {
+            self.remember(&shown);
+        }
         if let Some(leftover) = leftover
             && let Err(why) = self.journal.take_over(leftover)
         {

@@ -34,6 +34,7 @@ impl App {
         let response = self.viewport.show_with_pick(ui, &scene, &pick);
         self.panel(|context, actions| panels::spacing::ui(ui, response.response.rect, context, actions));
         self.panel(|context, _| panels::scan::legend::ui(ui, response.response.rect, context));
+        self.panel(|context, _| panels::weld::legend::ui(ui, response.response.rect, context));
         if let Some(why) = &response.failure {
             ui.painter().text(
                 response.response.rect.center(),

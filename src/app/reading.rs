@@ -39,6 +39,14 @@ impl Reading {
         });
     }
 
+    /// Begins to read the part of a job that is in no file yet.
+    pub fn open_job(&mut self, mut job: Job, executor: &dyn Executor) {
+        self.start(executor, move |progress| {
+            let part = part_there(&mut job, None, progress)?;
+            Ok(Opened { part, document: Document::new(job, None), leftover: None })
+        });
+    }
+
     /// Begins to read the part of what a killed program left behind.
     pub fn restore(&mut self, leftover: Leftover, executor: &dyn Executor) {
         self.start(executor, move |progress| {

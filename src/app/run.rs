@@ -18,7 +18,7 @@ impl Context<'_> {
         let selected = &self.session.selected;
         let clean = || self.clean_list();
         match command {
-            C::Open | C::Help | C::Escape | C::Theme => true,
+            C::Open | C::OpenWeld | C::Help | C::Escape | C::Theme => true,
             C::OpenScan | C::Save | C::SaveAs | C::Plan => self.derived.part.is_some(),
             C::Select(More::Listed) | C::PickOrigin | C::LayFlat | C::QuarterTurn(_) => self.derived.part.is_some(),
             C::Look(_) | C::Fit | C::Projection | C::ShowAll => self.derived.part.is_some(),
@@ -30,8 +30,8 @@ impl Context<'_> {
             C::Play | C::Go(_) => self.derived.plan().is_some(),
             C::Toggle(what) => self.is_there(what),
             C::BetterSetup => self.refusing_plan().is_some() && !self.derived.suggestions.is_better_setup_sought(),
-            C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater if self.is_worked_by_scan() => false,
-            C::FlipSurface | C::FlipShell if self.has_scan() => false,
+            C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater if self.is_told_what_to_work() => false,
+            C::FlipSurface | C::FlipShell if self.has_scan() || self.has_weld() => false,
             C::Clean => selected.iter().any(|n| !clean().contains(n)),
             C::Unclean | C::CleanEarlier | C::CleanLater => selected.iter().any(|n| clean().contains(n)),
             // Facets are cut and joined on the part as it is.
@@ -44,14 +44,16 @@ impl Context<'_> {
         }
     }
 
-    /// Why a command on surfaces cannot be given while there is a scan.
+    /// Why a command cannot be given while there is a scan, or a weld is ground.
     pub fn why_not(self, command: Command) -> Option<String> {
         use Command as C;
         match command {
-            _ if !self.has_scan() => None,
-            C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater => {
-                self.is_worked_by_scan().then(|| say!(scan_panel_tells_worked))
+            C::Toggle(what) => (self.has_weld() && is_of_light(what)).then(|| say!(weld_panel_no_light)),
+            C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater => self.why_told_what_to_work(),
+            C::Merge | C::Split | C::FlipSurface | C::FlipShell if self.has_weld() => {
+                Some(say!(weld_panel_keeps_surfaces))
             }
+            _ if !self.has_scan() => None,
             C::Merge | C::Split | C::FlipSurface | C::FlipShell => Some(say!(scan_panel_keeps_surfaces)),
             _ => None,
         }
@@ -61,6 +63,9 @@ impl Context<'_> {
     fn is_there(self, what: Toggle) -> bool {
         use Toggle as T;
         match what {
+            _ if self.has_weld() && is_of_light(what) => false,
+            T::WeldImages => self.has_weld(),
+            T::WeldPoints => self.weld.measured().is_some(),
             T::PathLines | T::PoseFrames | T::Beams | T::ConnectingMoves => self.derived.part.is_some(),
             T::BeforeCorrection | T::PlainPart | T::HideChosen | T::ToolBodies => self.derived.part.is_some(),
             T::SectionPlane | T::AccessMap | T::Dose | T::Spacing => self.derived.plan().is_some(),
@@ -70,6 +75,11 @@ impl Context<'_> {
             T::ProgramText => self.derived.playback_data().is_some(),
         }
     }
+}
+
+/// What only light has: a grinding tool lays no dose on the part, and nobody corrects its beam.
+fn is_of_light(what: Toggle) -> bool {
+    matches!(what, Toggle::Dose | Toggle::BeforeCorrection)
 }
 
 impl App {
@@ -83,6 +93,7 @@ impl App {
             C::Open if self.document.is_dirty() => self.session.after_guard = Some(AfterGuard::AskOpen),
             C::Open => self.ask(Purpose::Open),
             C::OpenScan => self.ask(Purpose::Scan),
+            C::OpenWeld => self.ask_weld(),
             C::Save => self.save_job(),
             C::SaveAs => self.ask(Purpose::SaveJob),
             C::Export => self.ask(Purpose::Export),
@@ -154,7 +165,9 @@ impl App {
             | T::Scan
             | T::DroppedPoints
             | T::DeviationOnModel
-            | T::ScanSection => {
+            | T::ScanSection
+            | T::WeldImages
+            | T::WeldPoints => {
                 self.session.show.flip(what);
             }
         }
@@ -210,6 +223,8 @@ impl App {
             self.reading.cancel();
         } else if self.adding.progress().is_some() {
             self.adding.cancel();
+        } else if self.asking.progress().is_some() {
+            self.asking.cancel();
         } else if self.derived.pipeline.progress().is_some() {
             self.derived.pipeline.cancel();
         } else if self.exporting.is_running() {

@@ -62,6 +62,7 @@ impl App {
             let dots = self.context().spacing_picture().map_or(&[][..], |s| &s.dots).iter();
             scene.points.extend(dots.map(|d| PointItem { scene_from_item: place, ..d.clone() }));
             self.add_scan(&mut scene, place);
+            self.add_weld(&mut scene, place);
             self.context().add_simulation(&mut scene, place);
             self.context().add_tool(&mut scene, place);
             self.context().add_better_setup(&mut scene, place);
@@ -86,6 +87,14 @@ impl App {
         let section = self.section.line().filter(|_| show.is_on(Toggle::ScanSection));
         let lines = outlines.chain(section);
         scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
+    }
+
+    /// The points of beads by their height, their centre lines, and the camera.
+    fn add_weld(&self, scene: &mut Scene, place: Isometry3<f64>) {
+        if self.session.show.is_on(Toggle::WeldPoints) {
+            scene.clouds.extend(self.weld.points(&place));
+            scene.lines.extend(self.weld.lines().map(|l| LineItem { scene_from_item: place, ..l.clone() }));
+        }
     }
 
     /// Turns the camera onto the section plane of the current pass.

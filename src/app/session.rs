@@ -9,6 +9,7 @@ use super::program_view::ProgramView;
 use super::scan_section::SectionAsked;
 use super::scan_tool::ScanTool;
 use super::scan_view::ScanLabel;
+use super::weld::ImagesView;
 use crate::cell::Mount;
 use crate::cell::calibration::PointPair;
 use crate::document::{Forgotten, Job, RecutAnchor};
@@ -91,6 +92,8 @@ pub struct Session {
     pub scan_tool: Option<ScanTool>,
     /// Where the section through part and scan is.
     pub section: SectionAsked,
+    /// The window of a weld's images.
+    pub images: ImagesView,
     /// Markers of the scanner that tell no frame yet.
     pub markers: Option<Vec<PointPair>>,
     /// Labels on the scan.
@@ -148,7 +151,7 @@ pub struct Show(BTreeSet<Toggle>);
 
 impl Default for Show {
     fn default() -> Show {
-        Show([Toggle::PathLines, Toggle::ToolBodies, Toggle::Scan].into())
+        Show([Toggle::PathLines, Toggle::ToolBodies, Toggle::Scan, Toggle::WeldPoints].into())
     }
 }
 
@@ -195,6 +198,8 @@ pub enum AfterGuard {
     Open(PathBuf),
     /// A file is asked for.
     AskOpen,
+    /// Images of a weld are asked for.
+    AskWeld,
 }
 
 impl Default for Session {
@@ -234,6 +239,7 @@ impl Default for Session {
             tool: PointerTool::Select,
             scan_tool: None,
             section: SectionAsked::default(),
+            images: ImagesView::default(),
             markers: None,
             labels: Vec::new(),
             menu_place: None,

@@ -40,6 +40,7 @@ impl App {
         self.sync_spacing();
         self.sync_scan();
         self.sync_tool_of_scan();
+        self.sync_weld();
         self.sync_suggestions();
         self.sync_clearance();
     }
@@ -94,6 +95,16 @@ impl App {
             self.session.labels = labels.iter().filter_map(|label| self.scan.label_near(&label.at)).collect();
         }
         self.sync_section();
+    }
+
+    /// Brings what is shown of the weld up to date, and its images, if they are shown.
+    fn sync_weld(&mut self) {
+        let pipeline = &self.derived.pipeline;
+        let is_refused = pipeline.error().is_some();
+        self.weld.sync(pipeline.welded(), self.document.job().weld.is_there(), is_refused);
+        if self.session.show.is_on(Toggle::WeldImages) {
+            self.weld.sync_textures(self.session.images.step, &self.ctx);
+        }
     }
 
     /// Cuts part and scan, if the section is shown.
@@ -255,6 +266,7 @@ impl Context<'_> {
             E::Part(Failure::Refused(PartError::Changed)) => say!(window_part_of_another_state),
             E::Part(Failure::Panicked(_))
             | E::Scan(Failure::Panicked(_))
+            | E::Weld(Failure::Panicked(_))
             | E::Setup(Failure::Panicked(_))
             | E::Plan(Failure::Panicked(_)) => {
                 say!(window_fault, error = error.sentence())

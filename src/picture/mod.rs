@@ -21,6 +21,8 @@ pub mod solid;
 pub mod spacing;
 mod tool;
 pub mod trail;
+pub mod weld;
+pub mod weld_image;
 
 pub use cell::CellPicture;
 pub use colormap::viridis;

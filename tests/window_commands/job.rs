@@ -30,6 +30,12 @@ pub fn file(w: &mut Window, command: Command) {
             assert_eq!((scan.file.as_str(), scan.sha256.len()), ("scan.xyz", 64));
             w.undo();
         }
+        Command::OpenWeld => {
+            w.give(command, &[]);
+            let images = &w.job().weld.images;
+            assert!(images.gray.file.ends_with("gray.png") && images.depth.sha256.len() == 64, "{images:?}");
+            w.undo();
+        }
         Command::Save => {
             w.send(Edit::Set("beam.power_w", power + 2.0));
             w.give(command, &[]);

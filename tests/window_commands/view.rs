@@ -64,6 +64,7 @@ fn words_of(what: Toggle) -> Option<&'static str> {
         Toggle::AccessMap => Some("access map"),
         Toggle::Dose => Some("histogram of the dose"),
         Toggle::ScanSection => Some("section of part and scan"),
+        Toggle::WeldImages => Some("depth image of the weld"),
         Toggle::PathLines
         | Toggle::PoseFrames
         | Toggle::Beams
@@ -77,15 +78,24 @@ fn words_of(what: Toggle) -> Option<&'static str> {
         | Toggle::Spacing
         | Toggle::Scan
         | Toggle::DroppedPoints
-        | Toggle::DeviationOnModel => None,
+        | Toggle::DeviationOnModel
+        | Toggle::WeldPoints => None,
     }
 }
 
 pub fn toggle(stage: &mut Stage, what: Toggle) {
+    if matches!(what, Toggle::WeldImages | Toggle::WeldPoints) {
+        // Another window, as its part is the weld's own.
+        return is_seen_and_goes(&mut Window::on_weld(), what);
+    }
     let w = match what {
         Toggle::Cell | Toggle::Plots => &mut stage.robot,
         _ => &mut stage.part,
     };
+    is_seen_and_goes(w, what);
+}
+
+fn is_seen_and_goes(w: &mut Window, what: Toggle) {
     prepare(w, what);
     let before = w.picture();
     let is_changed = |w: &mut Window| match words_of(what) {

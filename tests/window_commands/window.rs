@@ -9,6 +9,13 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use std::path::PathBuf;
 
+/// The images of a weld, as they are asked for.
+const WELD: [(Purpose, &str); 3] = [
+    (Purpose::WeldGray, "weld/gray.png"),
+    (Purpose::WeldDepth, "weld/depth.png"),
+    (Purpose::WeldCamera, "weld/camera.toml"),
+];
+
 /// The real window, and the folder that its files are in.
 pub struct Window {
     pub h: Harness<'static, App>,
@@ -27,7 +34,18 @@ impl Window {
             (Purpose::Export, folder.path().join("program")),
             (Purpose::ExportDryRun, folder.path().join("program")),
         ]);
+        answers.0.lock().expect("fresh").extend(WELD.map(|(purpose, file)| (purpose, sample(file))));
         Window { h: window(Some(job), &answers), folder }
+    }
+
+    /// The window with the images of a weld, which are its part.
+    pub fn on_weld() -> Window {
+        let answers = Answers::default();
+        answers.0.lock().expect("fresh").extend(WELD.map(|(purpose, file)| (purpose, sample(file))));
+        let mut w = Window { h: window(None, &answers), folder: tempfile::tempdir().expect("a folder") };
+        w.give(Command::OpenWeld, &[]);
+        assert!(w.job().weld.is_there());
+        w
     }
 
     pub fn app(&self) -> &App {

@@ -12,6 +12,7 @@ menu_help = Help
 ## File
 command_open = Open…
 command_open_scan = Open scan…
+command_open_weld = Open weld images…
 command_save = Save job
 command_save_as = Save job as…
 command_export = Export program…
@@ -76,6 +77,8 @@ command_scan = Points of the scan
 command_dropped_points = Points that cleaning took out
 command_deviation_on_model = Deviation on the model
 command_scan_section = Section of the scan
+command_weld_images = Images of the weld
+command_weld_points = Bead and camera
 command_theme = Dark or light
 
 ## Plan

@@ -1,6 +1,7 @@
 ### The panel of parameters: its groups, the correction, surfaces, the part.
 
 parameters_beam = Beam
+parameters_speed = Speed
 parameters_targets = Targets, leads
 parameters_surfaces = Feature surfaces
 parameters_more_surfaces = More on surfaces

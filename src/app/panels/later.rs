@@ -59,7 +59,8 @@ fn row(ui: &mut egui::Ui, n: u32, context: Context<'_>, actions: &mut Actions) {
 
 /// Buttons that bring a surface back: to the feature surfaces, or to the list to clean.
 fn ways(ui: &mut egui::Ui, n: u32, context: Context<'_>, actions: &mut Actions) {
-    let is_free = !context.is_worked_by_scan();
+    let why = context.why_told_what_to_work();
+    let is_free = why.is_none();
     let ways = [
         (
             say!(later_back),
@@ -76,7 +77,7 @@ fn ways(ui: &mut egui::Ui, n: u32, context: Context<'_>, actions: &mut Actions) 
     ];
     for (text, told, tip, way) in ways {
         let button = ui.add_enabled(is_free, egui::Button::new(text).small()).on_hover_text(tip);
-        let button = button.on_disabled_hover_text(say!(scan_panel_tells_worked));
+        let button = button.on_disabled_hover_text(why.clone().unwrap_or_default());
         button.widget_info(|| WidgetInfo::labeled(Role::Button, is_free, told.clone()));
         if button.clicked() {
             actions.edit(way);

@@ -69,7 +69,8 @@ fn switches(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     for command in SWITCHES.map(Command::Toggle) {
         let button = egui::Button::selectable(context.is_shown(command), command.name());
         let response = ui.add_enabled(context.is_enabled(command), button).on_hover_text(command.keys_text(ui.ctx()));
-        if response.on_disabled_hover_text(say!(menu_needs_robot)).clicked() {
+        let why = context.why_not(command).unwrap_or_else(|| say!(menu_needs_robot));
+        if response.on_disabled_hover_text(why).clicked() {
             actions.command(command);
         }
     }

@@ -37,3 +37,4 @@ pub(super) mod status;
 pub(super) mod timeline;
 pub(super) mod toolbar;
 pub(super) mod view_menu;
+pub(super) mod weld;

@@ -9,7 +9,17 @@ use eframe::egui;
 
 /// The job's numbers of a group.
 pub(super) fn of_job(ui: &mut egui::Ui, group: Group, context: Context<'_>, actions: &mut Actions) {
-    for p in Parameter::of_group(group) {
+    chosen_of_job(ui, Parameter::of_group(group), context, actions);
+}
+
+/// Some of the job's numbers.
+pub(super) fn chosen_of_job(
+    ui: &mut egui::Ui,
+    parameters: impl IntoIterator<Item = &'static Parameter>,
+    context: Context<'_>,
+    actions: &mut Actions,
+) {
+    for p in parameters {
         let now = context.document.job().number(p);
         let to = Some(p.default).filter(|to| (now - to).abs() > 1e-12);
         match fields::number(ui, Owner::Job, p, now, to) {

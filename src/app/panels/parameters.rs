@@ -6,12 +6,15 @@ use super::super::context::Context;
 use super::super::theme;
 use super::entry::{Entry, refused};
 use super::menu::told_why;
-use super::{beam, cell, export, library, lines, numbers, placement, recipe, scan};
-use crate::document::Edit;
+use super::{beam, cell, export, library, lines, numbers, placement, recipe, scan, weld};
 use crate::document::parameter::Group;
+use crate::document::{Edit, Parameter};
 use crate::pose::Correction;
 use crate::text::{choices, say};
 use eframe::egui;
+
+/// What a grinding tool has of the beam's numbers.
+const SPEEDS: [&Parameter; 2] = [Parameter::named("beam.speed_mm_s"), Parameter::named("beam.air_speed_mm_s")];
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     // Always in sight: what is wrong, and what all the rest is for.
@@ -19,14 +22,25 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
         // A scan tells what is worked, and is what one looks at first; without one it is rarely asked for.
         let has_scan = context.document.job().scan.is_there();
+        let has_weld = context.has_weld();
+        if has_weld {
+            weld::ui(ui, context, actions);
+        }
         if has_scan {
             scan::ui(ui, context, actions);
         }
         lines::ui(ui, context, actions);
-        theme::heading(ui, &say!(parameters_beam));
-        numbers::of_job(ui, Group::Beam, context, actions);
-        correction(ui, context, actions);
-        beam::ui(ui, context, actions);
+        if has_weld {
+            // No light: speeds are what is left of the beam.
+            theme::heading(ui, &say!(parameters_speed));
+            numbers::chosen_of_job(ui, SPEEDS, context, actions);
+            beam::clamps(ui, context, actions);
+        } else {
+            theme::heading(ui, &say!(parameters_beam));
+            numbers::of_job(ui, Group::Beam, context, actions);
+            correction(ui, context, actions);
+            beam::ui(ui, context, actions);
+        }
         recipe::ui(ui, context, actions);
         library::ui(ui, context, actions);
         egui::CollapsingHeader::new(say!(parameters_targets)).id_salt("targets").show(ui, |ui| {
@@ -44,7 +58,10 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         if !has_scan {
             scan::ui(ui, context, actions);
         }
-        beam::dose::ui(ui, context, actions);
+        if !has_weld {
+            weld::ui(ui, context, actions);
+            beam::dose::ui(ui, context, actions);
+        }
         cell::ui(ui, context, actions);
     });
 }

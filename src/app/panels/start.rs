@@ -23,6 +23,9 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
                 if ui.button(RichText::new(say!(start_open)).size(16.0)).clicked() {
                     actions.command(Command::Open);
                 }
+                if ui.button(Command::OpenWeld.name()).clicked() {
+                    actions.command(Command::OpenWeld);
+                }
             });
         });
         ui.add_space(14.0);

@@ -5,6 +5,7 @@ use super::super::command::{Command, Toggle};
 use super::super::context::Context;
 use super::super::session::PointerTool;
 use super::super::theme;
+use super::menu::told_why;
 use crate::text::say;
 use eframe::egui::{self, RichText};
 
@@ -46,9 +47,10 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
 fn toggles(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let of_scan = [Toggle::Scan, Toggle::DeviationOnModel, Toggle::ScanSection];
     let of_scan = of_scan.into_iter().filter(|_| context.document.job().scan.is_there());
-    for command in TOGGLES.into_iter().chain(of_scan).map(Command::Toggle) {
+    let of_weld = [Toggle::WeldImages, Toggle::WeldPoints].into_iter().filter(|_| context.has_weld());
+    for command in TOGGLES.into_iter().chain(of_scan).chain(of_weld).map(Command::Toggle) {
         let button = egui::Button::selectable(context.is_shown(command), command.name());
-        let response = ui.add_enabled(context.is_enabled(command), button);
+        let response = told_why(ui.add_enabled(context.is_enabled(command), button), command, context);
         if response.on_hover_text(command.keys_text(ui.ctx())).clicked() {
             actions.command(command);
         }

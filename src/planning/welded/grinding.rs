@@ -4,7 +4,6 @@
 use super::on_part::WeldPart;
 use super::{MeasuredArea, MeasuredWeld, ReadWeld, WeldError, WeldProgress};
 use crate::document::Job;
-use crate::document::model::AreaChoice;
 use crate::part::ground::CentrePoint;
 use crate::part::patched::{GroundPatch, PatchCut, PatchSurface, RefinedFacets, grounds, standing, with_patches};
 use crate::part::topology::FacetDefect;
@@ -71,7 +70,8 @@ pub fn ground(
     patched.surfaces.grounds = grounds(&patched, &patches);
     let is_given_out =
         |area: &AreaOnPart<'_>| area.of.bead.is_none() || passes.held.is_none() && !passes.left.is_empty();
-    let chosen = areas.iter().zip(&patched.patches).filter(|(area, _)| is_given_out(area) && is_chosen(area.of, job));
+    let is_worked = |area: &AreaOnPart<'_>| is_given_out(area) && area.of.is_chosen(&job.weld.areas);
+    let chosen = areas.iter().zip(&patched.patches).filter(|(area, _)| is_worked(area));
     patched.surfaces.worked = Some(chosen.flat_map(|(_, pieces)| pieces.iter().map(|piece| piece.surface)).collect());
     let raised = standing(&patched.part, &patched.surfaces, progress)?;
     Ok(GroundWeld {
@@ -80,17 +80,6 @@ pub fn ground(
         patches: patched.patches,
         bare: (Arc::new(patched.part), Arc::new(patched.surfaces)),
     })
-}
-
-/// Whether a job grinds an area.
-fn is_chosen(area: &MeasuredArea, job: &Job) -> bool {
-    match &job.weld.areas {
-        AreaChoice::All => true,
-        AreaChoice::At(places) => places.iter().any(|[u, v]| {
-            let is_place = u.round() >= 0.0 && v.round() >= 0.0;
-            is_place && area.outline.at(u.round() as usize, v.round() as usize) == Some(&true)
-        }),
-    }
 }
 
 /// An area with what is asked of it at places of the part.

@@ -6,24 +6,18 @@ use crate::progress::Progress;
 use crate::weld::masking::{MaskRules, MaskedImage, masked};
 use crate::weld::raster::GreyImage;
 
-/// Masks the grey image.
+/// Masks the grey image. That nothing stands out from the skin is told when it is to be measured: until then its steps can
+/// be looked at.
 ///
 /// # Errors
-/// Nothing stands out from the skin, or the work was cancelled.
+/// It is no image, or the work was cancelled.
 pub fn mask_weld(read: &ReadWeld, weld: &JobWeld, progress: &Progress) -> Result<MaskedImage, WeldError> {
-    match masked_by(&read.grey, weld, progress) {
-        // Once a bead was ground down there may be nothing to see; where it was, is known.
-        Err(WeldError::NoArea) if read.before.is_some() => {
-            masked(&read.grey, &rules(weld), progress).map_err(WeldError::Mask)
-        }
-        made => made,
-    }
+    masked_by(&read.grey, weld, progress)
 }
 
-/// The mask of a grey image, with one area at least.
+/// The mask of a grey image.
 pub(super) fn masked_by(grey: &GreyImage, weld: &JobWeld, progress: &Progress) -> Result<MaskedImage, WeldError> {
-    let made = masked(grey, &rules(weld), progress).map_err(WeldError::Mask)?;
-    if made.areas.list.is_empty() { Err(WeldError::NoArea) } else { Ok(made) }
+    masked(grey, &rules(weld), progress).map_err(WeldError::Mask)
 }
 
 fn rules(weld: &JobWeld) -> MaskRules {

@@ -3,7 +3,7 @@
 
 use super::masking::masked_by;
 use super::{ReadWeld, WeldError};
-use crate::document::model::JobWeld;
+use crate::document::model::{AreaChoice, JobWeld};
 use crate::progress::Progress;
 use crate::weld::bead::{AreaKind, WeldBead, WeldBeadError, kind_of_area, measure};
 use crate::weld::masking::{DefectArea, MaskedImage};
@@ -61,6 +61,25 @@ impl MeasuredArea {
     pub fn kind(&self) -> AreaKind {
         if self.bead.is_some() { AreaKind::Bead } else { AreaKind::Flat }
     }
+
+    /// Whether it is one of those that are chosen.
+    pub fn is_chosen(&self, choice: &AreaChoice) -> bool {
+        match choice {
+            AreaChoice::All => true,
+            AreaChoice::At(places) => places.iter().any(|[u, v]| {
+                let is_place = u.round() >= 0.0 && v.round() >= 0.0;
+                is_place && self.outline.at(u.round() as usize, v.round() as usize) == Some(&true)
+            }),
+        }
+    }
+
+    /// A pixel that it is chosen by: column and row of the one nearest to its middle, which itself may lie beside it.
+    pub fn place_px(&self) -> Option<[f64; 2]> {
+        let [u, v] = self.seen.centroid_px;
+        let inside = self.outline.pixels().filter(|(_, on)| **on).map(|(at, _)| at.map(|x| x as f64));
+        let off = |[x, y]: &[f64; 2]| (x - u) * (x - u) + (y - v) * (y - v);
+        inside.min_by(|a, b| off(a).total_cmp(&off(b)))
+    }
 }
 
 impl MeasuredWeld {
@@ -103,6 +122,9 @@ fn measured_in(
     read: &ReadWeld,
     progress: &Progress,
 ) -> Result<MeasuredWeld, WeldError> {
+    if masked.areas.list.is_empty() {
+        return Err(WeldError::NoArea);
+    }
     let all = points(depth, &read.camera, None);
     let covered = masked.areas.mask_of_all();
     let (mut beads, mut flat, mut unmeasured) = (Vec::new(), Vec::new(), Vec::new());

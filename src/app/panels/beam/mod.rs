@@ -29,5 +29,10 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         });
     }
     egui::CollapsingHeader::new(say!(tool_optics)).id_salt("optics").show(ui, |ui| optics::ui(ui, context, actions));
+    clamps(ui, context, actions);
+}
+
+/// What stands on the part.
+pub(super) fn clamps(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     egui::CollapsingHeader::new(say!(tool_clamps)).id_salt("clamps").show(ui, |ui| clamps::ui(ui, context, actions));
 }

@@ -47,7 +47,7 @@ fn list(ui: &mut egui::Ui, is_clean: bool, height: f32, context: Context<'_>, ac
         let table = rows::List { rows: &rows, is_clean, context };
         ui.push_id(("list", is_clean), |ui| table.ui(ui, height - 90.0, actions));
     });
-    if let Some(dragged) = dropped.filter(|_| !context.is_worked_by_scan()) {
+    if let Some(dragged) = dropped.filter(|_| !context.is_told_what_to_work()) {
         actions.edit(match (dragged.from_clean, is_clean) {
             // From the list itself: to the end of the order.
             (_, true) => Edit::Clean(dragged.surfaces.clone()),

@@ -98,7 +98,7 @@ pub(super) fn take(response: &egui::Response, n: u32, list: List<'_>, actions: &
         return;
     }
     if list.is_clean
-        && !list.context.is_worked_by_scan()
+        && !list.context.is_told_what_to_work()
         && let Some(dragged) = response.dnd_release_payload::<Dragged>()
     {
         actions.edit(put_before(&dragged.surfaces, n, list.context));
