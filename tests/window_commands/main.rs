@@ -32,7 +32,9 @@ fn has_its_effect(stage: &mut Stage, command: Command) {
     use Command as C;
     let w = &mut stage.part;
     match command {
-        C::Open | C::OpenScan | C::OpenWeld | C::Save | C::SaveAs | C::Export | C::ExportDryRun => job::file(w, command),
+        C::Open | C::OpenScan | C::OpenWeld | C::Save | C::SaveAs | C::Export | C::ExportDryRun => {
+            job::file(w, command)
+        }
         C::ExportFromPass => job::go_on(w),
         C::Undo | C::Redo => job::undo_and_redo(w, command),
         C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater => job::lists(w, command),

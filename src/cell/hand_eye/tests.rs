@@ -1,3 +1,5 @@
+//! Cameras that are found from made-up poses with noise as it is measured, and poses that are refused.
+
 use super::file::{self, HandEyeFileError};
 use super::turns::rotation_of;
 use super::*;

@@ -1,7 +1,8 @@
 //! The passes of a weld: those that were ground, with what they took off, and those that are left by the last measurement
 //! (P4 4).
 
-use super::{GroundPassReport, HeldReason, MeasuredWeld, PassReport, WeldError};
+use super::report_rows::{GroundPassReport, HeldReason, PassReport};
+use super::{MeasuredWeld, WeldError};
 use crate::document::model::JobWeld;
 use crate::weld::passes::{GrindingRules, area_above_mm2, schedule};
 

@@ -1,7 +1,8 @@
 //! How long one-way, zigzag and spiral take for an area at the four speeds that P4 compares (Table 1), by the motion model.
 //! The lines are those that a plan would have; what a robot could not reach of them is not left out.
 
-use super::{AreaTimes, MeasuredWeld};
+use super::MeasuredWeld;
+use super::report_rows::AreaTimes;
 use crate::document::Job;
 use crate::part::patched::PatchSurface;
 use crate::part::{Part, Surfaces};

@@ -1,3 +1,5 @@
+//! Beads on a scene by formula, over seeds and noises: outline, centre line, heights; and what is refused.
+
 use super::*;
 use crate::weld::made_up::{self, Noise, Scene};
 use crate::weld::parent::ParentError;

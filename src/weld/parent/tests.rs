@@ -1,3 +1,5 @@
+//! The parent surface on scenes by formula, and points that tell none.
+
 use super::*;
 use crate::weld::made_up::{Noise, Scene};
 use proptest::prelude::*;

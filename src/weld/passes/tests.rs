@@ -1,3 +1,5 @@
+//! Passes by their laws, and areas above a level by the chord of a cap.
+
 use super::*;
 use proptest::prelude::*;
 
