@@ -13,7 +13,6 @@ use crate::part::{Part, PartFinding, Source};
 use crate::planning::Failure;
 use crate::sample::{SAMPLES, stl_bytes};
 use crate::text::{Sentence as _, say};
-use crate::view::StandardView;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -128,10 +127,6 @@ impl App {
         self.session.fit_pending = true;
         // A depth image by itself is no part that could be opened again.
         let is_on_image = self.document.job().is_on_depth_image();
-        if is_on_image {
-            // As the camera sees it: x to the right, y down, z into the picture.
-            self.viewport.camera.look(StandardView::Bottom);
-        }
         if !is_on_image || self.document.file().is_some() {
             self.remember(&shown);
         }

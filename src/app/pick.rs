@@ -10,7 +10,7 @@ use super::{App, at_cursor, panels};
 use crate::document::Edit;
 use crate::part::Shape;
 use crate::text::Sentence as _;
-use crate::view::{Bounds, Camera, ViewportResponse};
+use crate::view::{Bounds, Camera, StandardView, ViewportResponse};
 use eframe::egui;
 use nalgebra::{Point2, Point3, Vector3};
 
@@ -68,6 +68,11 @@ impl App {
             let out = Vector3::repeat(self.document.job().beam.defocus_mm.abs());
             self.viewport.set_scene_bounds(Bounds { min: min - out, max: max + out });
             self.viewport.reset(Bounds { min, max });
+            if self.document.job().is_on_depth_image() {
+                // As the camera sees it: x to the right, y down, z into the picture.
+                self.viewport.look(StandardView::Bottom);
+                self.viewport.fit(Bounds { min, max });
+            }
             self.session.fit_pending = false;
         }
     }

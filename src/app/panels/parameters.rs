@@ -29,13 +29,15 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         if has_scan {
             scan::ui(ui, context, actions);
         }
-        lines::ui(ui, context, actions);
         if has_weld {
-            // No light: speeds are what is left of the beam.
+            // Its strategies stand with the weld, and without light speeds are what is left of the beam.
+            theme::heading(ui, &say!(laying_heading));
+            numbers::of_job(ui, Group::Spacing, context, actions);
             theme::heading(ui, &say!(parameters_speed));
             numbers::chosen_of_job(ui, SPEEDS, context, actions);
             beam::clamps(ui, context, actions);
         } else {
+            lines::ui(ui, context, actions);
             theme::heading(ui, &say!(parameters_beam));
             numbers::of_job(ui, Group::Beam, context, actions);
             correction(ui, context, actions);

@@ -45,6 +45,8 @@ pub(in super::super::super) fn ui(ctx: &egui::Context, context: Context<'_>, act
         actions.session(|s| s.show.set(Toggle::WeldImages, false));
     }
     if view != context.session.images {
+        // What the hand did is drawn in the next frame, which a hand that rests would not ask for.
+        ctx.request_repaint();
         actions.session(move |s| s.images = view);
     }
 }

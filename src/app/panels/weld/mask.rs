@@ -10,7 +10,7 @@ use super::super::plots::diagram::still;
 use crate::document::parameter::Group;
 use crate::document::{Edit, WeldEdit};
 use crate::text::{fixed, say};
-use crate::weld::masking::MaskedImage;
+use crate::weld::masking::GreyHistogram;
 use eframe::egui::{self, CollapsingHeader, Color32, Role, WidgetInfo};
 use egui_plot::{Line, LineStyle, Plot, PlotBounds, PlotUi, VLine};
 
@@ -25,7 +25,9 @@ const GESTURE: &str = "threshold of the weld";
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     theme::heading(ui, &say!(weld_panel_mask));
     if let Some(masked) = context.weld.masked() {
-        histogram(ui, masked, actions);
+        // While it is dragged the line is ahead of the mask.
+        let level = context.document.job().weld.threshold.unwrap_or(masked.threshold);
+        histogram(ui, &masked.histogram, level, actions);
     }
     threshold(ui, context, actions);
     CollapsingHeader::new(say!(weld_panel_mask_numbers)).id_salt("numbers of the mask").show(ui, |ui| {
@@ -34,8 +36,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
 }
 
 /// The levels, most of which are the skin's: their counts as logarithms, since what is bright is little among much.
-fn histogram(ui: &mut egui::Ui, masked: &MaskedImage, actions: &mut Actions) {
-    let h = &masked.histogram;
+fn histogram(ui: &mut egui::Ui, h: &GreyHistogram, level: f64, actions: &mut Actions) {
     let points: Vec<[f64; 2]> =
         h.counts.iter().enumerate().map(|(level, n)| [level as f64, libm::log10(1.0 + f64::from(*n))]).collect();
     let top = points.iter().map(|p| p[1]).fold(1.0, f64::max) * 1.05;
@@ -43,7 +44,7 @@ fn histogram(ui: &mut egui::Ui, masked: &MaskedImage, actions: &mut Actions) {
         still(Plot::new("histogram of the weld").height(HEIGHT)).show_axes([true, false]).show_grid([true, false]);
     let weak = ui.visuals().weak_text_color();
     let text = ui.visuals().text_color();
-    let (mode, sigma, level) = (h.mode, h.sigma, masked.threshold);
+    let (mode, sigma) = (h.mode, h.sigma);
     let shown = plot.show(ui, |p: &mut PlotUi<'_>| {
         p.set_plot_bounds(PlotBounds::from_min_max([0.0, 0.0], [WHITE, top]));
         p.line(Line::new("levels", points).color(text).width(1.2).fill(0.0).allow_hover(false));
