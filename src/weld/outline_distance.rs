@@ -62,7 +62,7 @@ mod tests {
         });
         let disc = OutlineDistance::of(&Mask { width: 80, height: 60, values: values.collect() });
         let camera = DepthCamera { units_per_mm: 1.0, ..DepthCamera::pinhole(200.0, 200.0, 40.0, 30.0) };
-        for (r, turn) in [(0.0, 0.0), (10.3, 0.4), (19.0, 2.0), (21.5, 4.0), (26.0, 5.5)] {
+        for (r, turn) in [(8.0, 0.0), (10.3, 0.4), (19.0, 2.0), (21.5, 4.0), (26.0, 5.5)] {
             let (u, v) = (r * libm::cos(turn), r * libm::sin(turn));
             // 400 mm away two pixels are 4 mm.
             let place = Point3::new(u * 2.0, v * 2.0, 400.0);

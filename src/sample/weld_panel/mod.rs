@@ -217,6 +217,10 @@ mod tests {
         let sizes = [grey_png(&grey).len(), depth_png(&depth).len()];
         assert!(sizes.iter().sum::<usize>() < 900_000, "{sizes:?}");
         let truth: serde_json::Value = serde_json::from_str(&truth_json(scene)).expect("JSON");
-        assert_eq!((truth["max_height_mm"].as_f64(), truth["width_mm"].as_f64()), (Some(15.0), Some(15.0)));
+        let number = |key: &str| truth[key].as_f64().expect("a number");
+        assert_eq!((number("max_height_mm"), number("least_width_mm"), number("most_width_mm")), (15.0, 8.0, 15.0));
+        let widths = (0..=200).map(|k| scene.panel.width_mm(-70.0 + 0.7 * f64::from(k)));
+        let below = widths.filter(|w| *w < number("width_mm")).count();
+        assert!((98..=103).contains(&below), "half of the widths lie below the median: {below} of 201");
     }
 }
