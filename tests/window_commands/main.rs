@@ -84,7 +84,7 @@ fn every_command_has_its_effect() {
 
 #[test]
 fn every_command_can_be_given_at_any_time() {
-    let nothing_needed = [Command::Open, Command::Theme, Command::Help, Command::Escape];
+    let nothing_needed = [Command::Open, Command::OpenWeld, Command::Theme, Command::Help, Command::Escape];
     let mut h = common::window::window(None, &Answers::default());
     for command in Command::ALL {
         assert_eq!(h.state().can(*command), nothing_needed.contains(command), "{command:?} without a part");
