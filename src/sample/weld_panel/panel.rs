@@ -19,9 +19,9 @@ const HALF_LENGTH_MM: f64 = 70.0;
 /// disc of 60 mm fits between.
 const SWING_MM: f64 = 9.0;
 const LINE_Y_MM: f64 = -34.0;
-/// Middle of the ground place, its half axes (46 × 38 mm), mm, and their turn.
+/// Middle of the ground place, its half axes (44 × 40 mm), mm, and their turn.
 const GROUND_AT_MM: [f64; 2] = [10.0, 42.0];
-const GROUND_AXES_MM: [f64; 2] = [23.0, 19.0];
+const GROUND_AXES_MM: [f64; 2] = [22.0, 20.0];
 const GROUND_TURN: f64 = 0.5;
 /// Where the camera stands: distance to the panel's middle, mm, and turns about its x, y and z.
 const DISTANCE_MM: f64 = 350.0;

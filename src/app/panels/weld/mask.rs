@@ -12,7 +12,7 @@ use crate::document::{Edit, WeldEdit};
 use crate::text::{fixed, say};
 use crate::weld::masking::GreyHistogram;
 use eframe::egui::{self, CollapsingHeader, Color32, Role, WidgetInfo};
-use egui_plot::{Line, LineStyle, Plot, PlotBounds, PlotUi, VLine};
+use egui_plot::{Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotUi, VLine};
 
 const HEIGHT: f32 = 130.0;
 /// Levels of a grey image.
@@ -55,9 +55,8 @@ fn histogram(ui: &mut egui::Ui, h: &GreyHistogram, level: f64, actions: &mut Act
         p.vline(dashed(mode - sigma, weak));
         p.vline(dashed(mode + sigma, weak));
         p.vline(VLine::new("threshold", level).color(theme::ATTENTION).width(3.0).allow_hover(false));
-        (p.pointer_coordinate().map(|at| at.x), p.screen_from_plot(egui_plot::PlotPoint::new(level, 0.0)).x)
     });
-    let (at, line_x) = shown.inner;
+    let line_x = shown.transform.position_from_point(&PlotPoint::new(level, 0.0)).x;
     let response = shown.response;
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, say!(weld_panel_histogram)));
     let key = response.id.with("held");
@@ -68,7 +67,9 @@ fn histogram(ui: &mut egui::Ui, h: &GreyHistogram, level: f64, actions: &mut Act
     }
     let is_held = ui.data(|d| d.get_temp::<bool>(key)).unwrap_or_default();
     if response.dragged() && is_held {
-        if let Some(level) = at.map(|x| x.clamp(0.0, WHITE)) {
+        // Not `PlotUi::pointer_coordinate`, which lags a frame behind a drag.
+        if let Some(at) = response.interact_pointer_pos() {
+            let level = shown.transform.value_from_position(at).x.clamp(0.0, WHITE);
             actions.drag(by_hand(level), GESTURE);
         }
     }
