@@ -35,9 +35,15 @@ fn figures(r: &Report) -> Vec<String> {
     let tilt = fixed(r.max_tilt_deg, 1);
     let (chord, spacing) = (fixed(r.max_chord_error_mm, 4), fixed(r.max_surface_spacing_mm, 3));
     let (passes, targets, corrected) = (r.passes, r.points, r.corrected);
+    let time = clock(r.time_s);
+    let lengths = if r.weld.is_some() {
+        say!(report_lengths_ground, work, blocked, air, time)
+    } else {
+        say!(report_lengths, work, blocked, air, time)
+    };
     let mut lines = vec![
         say!(report_targets, passes, targets, free, corrected, blocked = r.blocked),
-        say!(report_lengths, work, blocked, air, time = clock(r.time_s)),
+        lengths,
         say!(report_extremes, tilt, chord, spacing),
     ];
     if r.layers > 1 {

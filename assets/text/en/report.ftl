@@ -34,6 +34,7 @@ report_targets = { $passes ->
    *[other] { $targets } targets
 }: { $free } free, { $corrected } corrected, { $blocked } blocked
 report_lengths = { $work } mm with the laser on, { $blocked } mm blocked, { $air } mm in the air, { $time }
+report_lengths_ground = { $work } mm ground, { $blocked } mm blocked, { $air } mm in the air, { $time }
 report_extremes = largest tilt { $tilt }°, chord error { $chord } mm, spacing on the surface up to { $spacing } mm
 report_layers = { $layers } layers, each planned and proven on the part as the layers before leave it
 report_splits = { $splits ->

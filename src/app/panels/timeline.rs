@@ -132,7 +132,12 @@ fn target_numbers(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(word).strong().color(Color32::from_rgb(r, g, b)));
         ui.label(say!(timeline_place, pass = id(pass), point = id(point)));
-        ui.label(if t.laser { say!(timeline_laser_on) } else { say!(timeline_laser_off) });
+        ui.label(match (context.has_weld(), t.laser) {
+            (false, true) => say!(timeline_laser_on),
+            (false, false) => say!(timeline_laser_off),
+            (true, true) => say!(timeline_grinding),
+            (true, false) => say!(timeline_not_grinding),
+        });
         ui.label(say!(timeline_tilt, angle = fixed(t.tilt_deg(), 2)));
         let [x, y, z] = [t.p.x, t.p.y, t.p.z].map(|c| fixed(c, 3));
         ui.monospace(say!(timeline_xyz, x, y, z));
