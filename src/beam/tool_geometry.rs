@@ -38,6 +38,9 @@ pub struct ToolGeometry<'a> {
     pub defocus_mm: f64,
     /// Clearance that beam and head keep from everything, mm.
     pub margin_mm: f64,
+    /// What of that is the tool's slack: how far the part may lie off where it is taken to be, mm. A contact tool does not
+    /// keep it from skin that it is pressed onto, wherever that lies.
+    pub slack_mm: f64,
     /// The beam, wider by the margin, within the cone of its own neighbourhood; empty without a head, where the ray is
     /// all there is of it.
     pub beam: Vec<Frustum>,
@@ -104,6 +107,7 @@ impl<'a> ToolGeometry<'a> {
         Some(ToolGeometry {
             defocus_mm,
             margin_mm,
+            slack_mm: if has_head { tool.slack_mm } else { 0.0 },
             beam: widened(&profile, margin_mm, OwnCone::WHOLE),
             own: OwnCone::WHOLE,
             short_mm: (0.1 * margin_mm).max(0.02),

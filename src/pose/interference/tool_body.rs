@@ -36,8 +36,9 @@ struct ToolShape<'f> {
     frustum: &'f Frustum,
     /// Clearance it keeps, mm; the beam's margin is in its frustum.
     keeps_mm: f64,
-    /// What the core of disc or belt keeps from skin, mm.
-    skin_mm: f64,
+    /// What a contact tool's body keeps from skin that it rests on, mm: its core, and guard and spindle over it. `None`: as
+    /// much as from anything.
+    skin_mm: Option<f64>,
 }
 
 impl ToolShape<'_> {
@@ -53,26 +54,32 @@ impl ToolShape<'_> {
         if self.tool_body == ToolBody::Beam && own || !placed.is_near(corners, self.keeps_mm + more_mm) {
             return None;
         }
-        let rests = self.tool_body == ToolBody::Abrasive && of_part;
-        match rests.then(|| skin::rest(placed, a, corners)).flatten() {
-            Some(rest_mm) => (rest_mm <= self.skin_mm + more_mm).then_some(ToolBody::Gouge),
+        let on_skin = self.skin_mm.filter(|_| of_part);
+        let rests = on_skin.and_then(|skin_mm| Some((skin::rest(placed, a, corners)?, skin_mm)));
+        match rests {
+            Some((rest_mm, skin_mm)) if self.tool_body == ToolBody::Abrasive => {
+                (rest_mm <= skin_mm + more_mm).then_some(ToolBody::Gouge)
+            }
+            Some((rest_mm, skin_mm)) => (rest_mm <= skin_mm + more_mm).then_some(self.tool_body),
             None => Some(self.tool_body),
         }
     }
 
     /// The most that it keeps from anything, mm.
     fn most_mm(&self) -> f64 {
-        self.keeps_mm.max(self.skin_mm)
+        self.keeps_mm.max(self.skin_mm.unwrap_or(0.0))
     }
 }
 
 impl<'a> BeamInterference<'a> {
     /// The tool's bodies, the head's first.
     fn shapes<'f>(body: &'f ToolGeometry<'a>) -> impl Iterator<Item = ToolShape<'f>> {
-        let shape = |tool_body, keeps_mm| move |frustum| ToolShape { tool_body, frustum, keeps_mm, skin_mm: 0.0 };
+        let shape = |tool_body, keeps_mm| move |frustum| ToolShape { tool_body, frustum, keeps_mm, skin_mm: None };
+        let over_skin_mm = body.contact.as_ref().map(|_| (body.margin_mm - body.slack_mm).max(0.0));
         let head = body.head.iter().map(shape(ToolBody::Head, body.margin_mm));
+        let head = head.map(move |of| ToolShape { skin_mm: over_skin_mm, ..of });
         let abrasive = body.contact.iter().flat_map(|c| {
-            let (keeps_mm, skin_mm) = (c.round_mm + body.margin_mm, c.skin_mm);
+            let (keeps_mm, skin_mm) = (c.round_mm + body.margin_mm, Some(c.skin_mm));
             c.core.iter().map(move |frustum| ToolShape { tool_body: ToolBody::Abrasive, frustum, keeps_mm, skin_mm })
         });
         head.chain(abrasive).chain(body.beam.iter().map(shape(ToolBody::Beam, 0.0)))
@@ -280,7 +287,7 @@ impl<'a> BeamInterference<'a> {
                                 || !rises(&from, corners, sag_mm) && !rises(&to, corners, sag_mm));
                         // In front of a facet's plane at both ends is in front of it on the way.
                         let stays_before = || {
-                            let before_mm = shape.skin_mm + moved_mm - half_mm;
+                            let before_mm = shape.skin_mm.unwrap_or(0.0) + moved_mm - half_mm;
                             let is_before =
                                 |q: &Pose| skin::is_before(&shape.frustum.placed(&q.p, &q.a), &q.a, corners, before_mm);
                             shape.tool_body == ToolBody::Abrasive
