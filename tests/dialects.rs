@@ -103,7 +103,9 @@ proptest! {
             let same = read(*dialect, &files, &setup).is_ok_and(|after| {
                 after.iter().map(|l| &l.what).eq(before.iter().map(|l| &l.what))
             });
-            prop_assert!(!same || (idle && !gone.contains("LINE_COUNT")), "{}: {gone}", dialect.name());
+            // Nor does the head of a list of places that has none.
+            let holds_nothing = seeds.is_empty() && gone == "/POS";
+            prop_assert!(!same || holds_nothing || (idle && !gone.contains("LINE_COUNT")), "{}: {gone}", dialect.name());
         }
     }
 
