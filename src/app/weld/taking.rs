@@ -24,7 +24,7 @@ impl Context<'_> {
     pub fn planned_height_mm(self) -> Option<f64> {
         let ground = self.derived.pipeline.welded()?.ground?;
         let at_once = self.document.job().weld.at_once.max(1) as usize;
-        ground.report.schedule.iter().take(at_once).last().map(|pass| pass.level_mm)
+        ground.report.schedule.iter().take(at_once).next_back().map(|pass| pass.level_mm)
     }
 }
 

@@ -108,7 +108,7 @@ mod tests {
         /// The ring's centre by the formula, and a torus about it that touches the plane in the contact and nowhere else.
         #[test]
         fn the_disc_touches_the_plane_in_its_contact(
-            r in 10.0..100.0f64, edge in 0.5..5.0f64, lead in 2.0..30.0f64, back in prop::bool::ANY, turn in 0.0..6.28f64
+            r in 10.0..100.0f64, edge in 0.5..5.0f64, lead in 2.0..30.0f64, back in prop::bool::ANY, turn in 0.0..std::f64::consts::TAU
         ) {
             let grinding = disc(r, edge, if back { -lead } else { lead });
             let place = grinding.place();
