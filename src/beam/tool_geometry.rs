@@ -138,8 +138,9 @@ impl<'a> ToolGeometry<'a> {
         Some(ToolGeometry { contact: Some(contact), ..self.clone() })
     }
 
-    /// A geometry that keeps a little less: `less_mm` of its margin (a contact tool may reach so much farther into skin), and `steps` times half a degree of the cone of
-    /// its own neighbourhood. So what just passes with the one does not just hit with the other.
+    /// A geometry that keeps a little less: `less_mm` of its margin (a contact tool may reach so much farther into skin), and
+    /// `steps` times half a degree of the cone of its own neighbourhood. So what just passes with the one does not just hit
+    /// with the other.
     pub fn eased(&self, less_mm: f64, steps: u8) -> ToolGeometry<'a> {
         let margin_mm = (self.margin_mm - less_mm).max(0.0);
         let own = OwnCone {

@@ -59,21 +59,29 @@ impl Checker {
     /// distance from a convex body is convex, so two searches, one in the other, find the nearest point
     /// of a facet.
     pub fn cone_distance(&self, p: &Point3<f64>, a: &Vector3<f64>, cone: &CutCone, within_mm: f64) -> f64 {
-        let [t0, t1, r0, r1] = *cone;
-        let centre = p + a * (0.5 * (t0 + t1));
-        let size = 0.5 * (t1 - t0) + r0.max(r1);
-        self.facets.iter().fold(within_mm, |least, f| {
-            // The bounding balls of cone and facet are farther apart than that.
-            let middle = Point3::from((f[0].coords + f[1].coords + f[2].coords) / 3.0);
-            let round = f.iter().map(|c| (c - middle).norm()).fold(0.0, f64::max);
-            if (middle - centre).norm() - round - size > least {
-                return least;
-            }
-            let on = |u: f64, v: f64| f[0] + ((f[1] - f[0]) * (1.0 - v) + (f[2] - f[0]) * v) * u;
-            let along = |u: f64| lowest(|v| beside_cone(&(on(u, v) - p), a, cone));
-            least.min(lowest(along))
-        })
+        self.facets.iter().fold(within_mm, |least, f| facet_from_cone(f, p, a, cone, least))
     }
+}
+
+/// Distance of one facet from a cut cone, mm, no more than `within_mm`.
+fn facet_from_cone(f: &[Point3<f64>; 3], p: &Point3<f64>, a: &Vector3<f64>, cone: &CutCone, within_mm: f64) -> f64 {
+    let [t0, t1, r0, r1] = *cone;
+    let centre = p + a * (0.5 * (t0 + t1));
+    let size = 0.5 * (t1 - t0) + r0.max(r1);
+    // The bounding balls of cone and facet are farther apart than that.
+    let middle = Point3::from((f[0].coords + f[1].coords + f[2].coords) / 3.0);
+    let round = f.iter().map(|c| (c - middle).norm()).fold(0.0, f64::max);
+    if (middle - centre).norm() - round - size > within_mm {
+        return within_mm;
+    }
+    // Or the facet lies so far below the cone, or above it.
+    let [low, high] = [f64::min, f64::max].map(|of| f.iter().map(|c| (c - p).dot(a)).reduce(of).unwrap_or(0.0));
+    if (t0 - high).max(low - t1) > within_mm {
+        return within_mm;
+    }
+    let on = |u: f64, v: f64| f[0] + ((f[1] - f[0]) * (1.0 - v) + (f[2] - f[0]) * v) * u;
+    let along = |u: f64| lowest(|v| beside_cone(&(on(u, v) - p), a, cone));
+    within_mm.min(lowest(along))
 }
 
 /// What a contact tool keeps clear of, as numbers.
@@ -92,10 +100,12 @@ impl Checker {
     pub fn touched(&self, p: &Point3<f64>, a: &Vector3<f64>, kept: &KeptByContact) -> Option<usize> {
         self.facets.iter().position(|f| {
             kept.cones.iter().any(|cone| {
-                let alone = Checker { facets: vec![*f] };
-                let mm = alone.cone_distance(p, a, cone, kept.wall_mm);
+                let mm = facet_from_cone(f, p, a, cone, kept.wall_mm);
+                if mm >= kept.skin_mm.max(kept.wall_mm) {
+                    return false;
+                }
                 // Lifted along the axis it gets away by what the way to it has of the axis: within 60° by half of it.
-                let lifted_mm = alone.cone_distance(&(p + a * LIFT_MM), a, cone, kept.wall_mm + LIFT_MM);
+                let lifted_mm = facet_from_cone(f, &(p + a * LIFT_MM), a, cone, kept.wall_mm + LIFT_MM);
                 let rests = lifted_mm - mm >= 0.5 * LIFT_MM;
                 mm < if rests { kept.skin_mm } else { kept.wall_mm }
             })

@@ -1,5 +1,5 @@
-//! What the interference queries of beam and head, or of a contact tool, against a part are asked of. The queries stand in `ray` and
-//! `tool_body`.
+//! What the interference queries of beam and head, or of a contact tool, against a part are asked of. The queries stand
+//! in `ray` and `tool_body`.
 
 use super::blocker::Obstruction;
 use crate::beam::ToolGeometry;

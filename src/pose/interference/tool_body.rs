@@ -56,13 +56,9 @@ impl ToolShape<'_> {
         }
         let on_skin = self.skin_mm.filter(|_| of_part);
         let rests = on_skin.and_then(|skin_mm| Some((skin::rest(placed, a, corners)?, skin_mm)));
-        match rests {
-            Some((rest_mm, skin_mm)) if self.tool_body == ToolBody::Abrasive => {
-                (rest_mm <= skin_mm + more_mm).then_some(ToolBody::Gouge)
-            }
-            Some((rest_mm, skin_mm)) => (rest_mm <= skin_mm + more_mm).then_some(self.tool_body),
-            None => Some(self.tool_body),
-        }
+        let Some((rest_mm, skin_mm)) = rests else { return Some(self.tool_body) };
+        let into_skin = if self.tool_body == ToolBody::Abrasive { ToolBody::Gouge } else { self.tool_body };
+        (rest_mm <= skin_mm + more_mm).then_some(into_skin)
     }
 
     /// The most that it keeps from anything, mm.
@@ -74,15 +70,14 @@ impl ToolShape<'_> {
 impl<'a> BeamInterference<'a> {
     /// The tool's bodies, the head's first.
     fn shapes<'f>(body: &'f ToolGeometry<'a>) -> impl Iterator<Item = ToolShape<'f>> {
-        let shape = |tool_body, keeps_mm| move |frustum| ToolShape { tool_body, frustum, keeps_mm, skin_mm: None };
+        let shape = |tool_body, keeps_mm, skin_mm| move |frustum| ToolShape { tool_body, frustum, keeps_mm, skin_mm };
         let over_skin_mm = body.contact.as_ref().map(|_| (body.margin_mm - body.slack_mm).max(0.0));
-        let head = body.head.iter().map(shape(ToolBody::Head, body.margin_mm));
-        let head = head.map(move |of| ToolShape { skin_mm: over_skin_mm, ..of });
-        let abrasive = body.contact.iter().flat_map(|c| {
+        let head = body.head.iter().map(shape(ToolBody::Head, body.margin_mm, over_skin_mm));
+        let abrasive = body.contact.iter().flat_map(move |c| {
             let (keeps_mm, skin_mm) = (c.round_mm + body.margin_mm, Some(c.skin_mm));
-            c.core.iter().map(move |frustum| ToolShape { tool_body: ToolBody::Abrasive, frustum, keeps_mm, skin_mm })
+            c.core.iter().map(shape(ToolBody::Abrasive, keeps_mm, skin_mm))
         });
-        head.chain(abrasive).chain(body.beam.iter().map(shape(ToolBody::Beam, 0.0)))
+        head.chain(abrasive).chain(body.beam.iter().map(shape(ToolBody::Beam, 0.0, None)))
     }
 
     /// Whether cone and head keep their margin.
@@ -245,7 +240,10 @@ impl<'a> BeamInterference<'a> {
                     let middle = 0.5 * (low + widest);
                     if beam_with(middle).any(|f| f.is_near(corners, 0.0)) { widest = middle } else { low = middle }
                 }
-                widest = low;
+                // What keeps its margin has that clearance, however coarse the steps are.
+                let kept_mm = body.margin_mm;
+                let keeps = || !beam_with(kept_mm).any(|f| f.is_near(corners, 0.0));
+                widest = if low < kept_mm && kept_mm <= widest && keeps() { kept_mm } else { low };
                 beam.replace(beam_with(widest).collect());
                 widest > 0.0
             };
