@@ -4,13 +4,15 @@
 //! The spacing is measured across the centre line on its own surface. Where that bends by a radius `R` across the line, it is
 //! kept on the surface to within `s³/(24·R²)`: a hundredth of a per cent for 8 mm on a skin of 500 mm.
 
-use super::section::{SectionPoint, TransversalLine};
+use super::section::{SectionPoint, TransversalLine, merged};
 use crate::part::ground::CentrePoint;
 use crate::part::{Bvh, Surfaces, angle};
 use nalgebra::Vector3;
 
 /// Ends of lines at the rim are found to this, mm.
 const RIM_MM: f64 = 0.01;
+/// Points so near to each other are one, mm: a rim's that was found where a point lies already.
+const REPEATED_MM: f64 = 1e-6;
 
 /// What lines along a centre line are dropped onto.
 #[derive(Clone, Copy, Debug)]
@@ -87,7 +89,7 @@ impl AlongSurface<'_> {
             last = Some((q, on.is_some()));
         }
         pieces.extend(open);
-        pieces.into_iter().map(without_repeats).filter(|p| p.len() > 1).collect()
+        pieces.into_iter().filter_map(|points| merged(points, false, REPEATED_MM)).map(|(points, _)| points).collect()
     }
 
     /// The last point on the surface from one that is on it towards one that is not.
@@ -104,17 +106,6 @@ impl AlongSurface<'_> {
         }
         self.dropped_point(&at(low))
     }
-}
-
-/// A line whose points are apart.
-fn without_repeats(points: Vec<SectionPoint>) -> Vec<SectionPoint> {
-    let mut out: Vec<SectionPoint> = Vec::with_capacity(points.len());
-    for q in points {
-        if out.last().is_none_or(|last| (q.p - last.p).norm() > 1e-6) {
-            out.push(q);
-        }
-    }
-    out
 }
 
 #[cfg(test)]

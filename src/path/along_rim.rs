@@ -3,7 +3,7 @@
 
 use super::ends::rim::{RimLoop, rim};
 use super::normals::{VertexNormals, between};
-use super::section::{SectionPoint, TransversalLine};
+use super::section::{SectionPoint, TransversalLine, linked};
 use crate::part::{Mesh, surfaces::Surface};
 use nalgebra::Point3;
 
@@ -19,23 +19,7 @@ pub fn along_rim(
     lines: Vec<TransversalLine>,
 ) -> Vec<TransversalLine> {
     let loops: Vec<RimWay> = rim(mesh, surface).loops.iter().map(|l| RimWay::new(mesh, normals, l)).collect();
-    let mut out: Vec<TransversalLine> = Vec::with_capacity(lines.len());
-    for line in lines {
-        let way = out.last().filter(|before| !before.closed && !line.closed).and_then(|before| {
-            let (from, to) = (before.points.last()?, line.points.first()?);
-            loops.iter().find_map(|l| l.way(from, to))
-        });
-        match (out.last_mut(), way) {
-            (Some(before), Some(way)) => {
-                before.points.extend(way);
-                let shift = before.points.len();
-                before.dark.extend(line.dark.iter().map(|at| at + shift));
-                before.points.extend(line.points);
-            }
-            _ => out.push(line),
-        }
-    }
-    out
+    linked(lines, |from, to| loops.iter().find_map(|l| l.way(from, to)))
 }
 
 /// A loop of the rim as a way around.

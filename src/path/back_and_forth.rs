@@ -1,7 +1,7 @@
 //! A zigzag without lifting: lines in working order become one where the next begins near the end of the one before (P4
 //! Fig. 21b). The step from line to line is straight.
 
-use super::section::TransversalLine;
+use super::section::{TransversalLine, linked};
 
 /// Lines of a zigzag are joined at the rim where their ends are no more than so many spacings apart: where a round rim
 /// slopes by 60° against them they are two.
@@ -10,22 +10,7 @@ pub const REACH_IN_SPACINGS: f64 = 2.5;
 /// Joins open lines, in the order in which they are run, where the way from one to the next is no longer than `reach_mm`.
 /// A joined line has the rank of its first.
 pub fn back_and_forth(lines: Vec<TransversalLine>, reach_mm: f64) -> Vec<TransversalLine> {
-    let mut out: Vec<TransversalLine> = Vec::with_capacity(lines.len());
-    for line in lines {
-        let goes_on = out.last().is_some_and(|before| {
-            let ends = before.points.last().zip(line.points.first());
-            !before.closed && !line.closed && ends.is_some_and(|(from, to)| (to.p - from.p).norm() <= reach_mm)
-        });
-        match out.last_mut().filter(|_| goes_on) {
-            Some(before) => {
-                let shift = before.points.len();
-                before.dark.extend(line.dark.iter().map(|at| at + shift));
-                before.points.extend(line.points);
-            }
-            None => out.push(line),
-        }
-    }
-    out
+    linked(lines, |from, to| ((to.p - from.p).norm() <= reach_mm).then(Vec::new))
 }
 
 #[cfg(test)]

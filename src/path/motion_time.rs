@@ -2,8 +2,9 @@
 //! fast as its corners and bends allow, leaves by an arc, and goes to the next piece through the air.
 //!
 //! Speeds go up and down at one acceleration. A corner is rounded by no more than [`CORNER_MM`], as a controller blends it,
-//! which gives the speed through it (junction deviation), and where it turns back it stops; on a bend the acceleration across is held to the same value. A
-//! robot's joints may be slower in places: they know nothing of this, and the time of a program is `program`'s.
+//! which gives the speed through it (junction deviation), and where it turns back it stops; on a bend the acceleration
+//! across is held to the same value. A robot's joints may be slower in places: this knows nothing of them, and the time of
+//! a program is `program`'s.
 
 use nalgebra::Point3;
 

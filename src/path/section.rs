@@ -62,6 +62,32 @@ impl TransversalLine {
     pub fn length_mm(&self) -> f64 {
         self.sides().map(|(a, b)| (b.p - a.p).norm()).fold(0.0, |a, b| a + b)
     }
+
+    /// Goes on over the points of `way` to another open line.
+    pub(super) fn append(&mut self, way: Vec<SectionPoint>, next: TransversalLine) {
+        self.points.extend(way);
+        let shift = self.points.len();
+        self.dark.extend(next.dark.iter().map(|at| at + shift));
+        self.points.extend(next.points);
+    }
+}
+
+/// Joins open lines, in the order in which they are run, wherever `way` leads from the end of one to the beginning of the
+/// next: the points between them. A joined line has the rank of its first.
+pub(super) fn linked(
+    lines: Vec<TransversalLine>,
+    way: impl Fn(&SectionPoint, &SectionPoint) -> Option<Vec<SectionPoint>>,
+) -> Vec<TransversalLine> {
+    let mut out: Vec<TransversalLine> = Vec::with_capacity(lines.len());
+    for line in lines {
+        let before = out.last().filter(|before| !before.closed && !line.closed);
+        let between = before.and_then(|before| way(before.points.last()?, line.points.first()?));
+        match (out.last_mut(), between) {
+            (Some(before), Some(between)) => before.append(between, line),
+            _ => out.push(line),
+        }
+    }
+    out
 }
 
 /// Cuts a surface by planes `normal · p = height` (heights ascending): all lines, plane by plane.

@@ -60,9 +60,8 @@ pub fn joined(lines: Vec<TransversalLine>, join_mm: f64) -> Vec<TransversalLine>
         while let Some(i) = at {
             at = next[i];
             let Some(piece) = left[i].take() else { break };
-            let count = line.points.len();
-            line.dark.extend(std::iter::once(count).chain(piece.dark.iter().map(|d| d + count)));
-            line.points.extend(piece.points);
+            line.dark.push(line.points.len());
+            line.append(Vec::new(), piece);
         }
         out.push(line);
     }
