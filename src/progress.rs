@@ -27,6 +27,8 @@ pub enum Activity {
     MeasuringBead,
     /// Areas that are ground become surfaces.
     CuttingAreas,
+    /// The times of their grinding strategies are compared.
+    ComparingStrategies,
     /// Facets are welded, oriented and cut into surfaces.
     BuildingPart,
     /// Surfaces are cut otherwise, to bring a part to order that shatters.

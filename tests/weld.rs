@@ -1,7 +1,8 @@
 //! `clearbeam weld` on the shipped images: what it measures beside the truth, what it writes, and what it says of images that
 //! cannot be used.
 
-use clearbeam::sample::weld_panel::{self, WeldScene};
+use clearbeam::sample::weld_panel::{self, WeldPanel, WeldScene};
+use clearbeam::sample::{Triangles, stl_bytes};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -99,6 +100,52 @@ fn the_sample_is_measured_planned_written_and_read_back() {
     assert_eq!(verified.status.code(), Some(0), "{}", said(&verified));
     let text = String::from_utf8_lossy(&std::fs::read(&program).expect("there")).to_ascii_lowercase();
     assert!(text.contains("grind") && !text.contains("laser"), "{text}");
+}
+
+/// The bare skin of the panel, 340 × 240 mm.
+fn skin_stl() -> Vec<u8> {
+    let at = |i: usize, j: usize| {
+        let (x, y) = (5.0 * i as f64 - 170.0, 5.0 * j as f64 - 120.0);
+        [x, y, WeldPanel.parent(x, y)]
+    };
+    let cells = (0..68).flat_map(|i| (0..48).map(move |j| (i, j)));
+    let skin: Triangles = cells
+        .flat_map(|(i, j)| {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        })
+        .collect();
+    stl_bytes(&skin)
+}
+
+/// On a skin without edges the images may lie anywhere: a program would grind beside the bead, so there is none before the
+/// place is known.
+#[test]
+fn on_a_skin_that_they_slide_on_the_passes_wait() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let dir = folder.path();
+    let skin = write(dir, "skin.stl", &skin_stl()).display().to_string();
+    let report = |out: &str| -> Value {
+        serde_json::from_slice(&std::fs::read(dir.join(out).join("report.json")).expect("there")).expect("JSON")
+    };
+    let made = weld(&dir.join("open"), &["--part", &skin]);
+    assert_eq!(made.status.code(), Some(0), "{}", said(&made));
+    let told = said(&made);
+    assert!(told.contains("slides: nothing holds") && told.contains("state where the camera stood"), "{told}");
+    assert!(told.contains("the passes wait for your word") && !told.contains("patch to work"), "{told}");
+    let open = report("open");
+    assert_eq!((&open["weld"]["held"]["cause"], open["points"].as_u64()), (&Value::from("place"), Some(0)), "{open:#}");
+    let written = std::fs::read_dir(dir.join("open")).expect("there").map(|e| e.expect("readable").file_name());
+    let mut written: Vec<String> = written.map(|name| name.to_string_lossy().into_owned()).collect();
+    written.sort();
+    assert_eq!(written, ["bead.ply", "job.toml", "mask.png", "path.csv", "report.json"], "no program");
+    let stand =
+        b"base_from_camera = [1.0, 0.0, 0.0, 600.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 700.0, 0.0, 0.0, 0.0, 1.0]";
+    let stand = write(dir, "stand.toml", stand).display().to_string();
+    let made = weld(&dir.join("known"), &["--part", &skin, "--hand-eye", &stand]);
+    assert_eq!(made.status.code(), Some(0), "{}", said(&made));
+    let known = report("known");
+    assert!(known["weld"]["held"].is_null() && known["points"].as_u64() > Some(0), "{known:#}");
 }
 
 fn write(folder: &Path, name: &str, bytes: &[u8]) -> PathBuf {

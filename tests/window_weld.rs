@@ -4,8 +4,9 @@
 mod common;
 
 use clearbeam::app::{App, Command, Purpose, Toggle};
-use clearbeam::document::Edit;
 use clearbeam::document::model::{AreaChoice, GrindingStrategy, RoughnessReading};
+use clearbeam::document::{Edit, WeldEdit};
+use clearbeam::sample::weld_panel::{self, WeldScene};
 use common::window::{Answers, click, drag, job_on, press, reveal, sample, says, settle, snapshot, type_into, window};
 use eframe::egui::{Key, Modifiers, Pos2, Rect, pos2};
 use egui_kittest::Harness;
@@ -156,10 +157,32 @@ fn areas_strategies_and_roughness_are_chosen() {
     type_into(&mut h, "roughness after at point 1", "0.6");
     let reading = RoughnessReading { point: 1, before_um: 2.9, after_um: Some(0.6) };
     assert_eq!(weld(&h).roughness, [reading]);
+    assert!(says(&h, "Mean of 1 point").contains("79.3 % less"));
     click(&mut h, "take point 1 out");
     assert!(weld(&h).roughness.is_empty());
     undo(&mut h);
     assert_eq!(weld(&h).roughness, [reading]);
+}
+
+#[test]
+fn times_and_roughness_follow_what_they_hang_on() {
+    let mut h = opened();
+    let report = |h: &Harness<'_, App>| h.state().plan().expect("a plan").report.weld.clone().expect("a weld");
+    let sums = |h: &Harness<'_, App>| report(h).times.iter().map(|t| t.one_way_s + t.zigzag_s).collect::<Vec<_>>();
+    let quicker = |now: &[f64], before: &[f64]| now.len() == 8 && now.iter().zip(before).all(|(n, b)| n < b);
+    let first = sums(&h);
+    h.state_mut().set("layers.spacing_mm", 8.0);
+    settle(&mut h);
+    let fewer_lines = sums(&h);
+    assert!(quicker(&fewer_lines, &first), "{fewer_lines:?} {first:?}");
+    h.state_mut().set("weld.acceleration_mm_s2", 2000.0);
+    settle(&mut h);
+    let brisk = sums(&h);
+    assert!(quicker(&brisk, &fewer_lines), "{brisk:?} {fewer_lines:?}");
+    let reading = RoughnessReading { point: 1, before_um: 3.0, after_um: Some(0.6) };
+    h.state_mut().send(Edit::Grind(Box::new(WeldEdit::Roughness(vec![reading]))));
+    settle(&mut h);
+    assert_eq!(report(&h).roughness.map(|r| (r.points, r.after_um)), Some((1, 0.6)));
 }
 
 #[test]
@@ -185,6 +208,42 @@ fn on_a_part_the_images_are_laid_and_on_another_they_are_refused_and_undone() {
     assert!(h.state().why_no_plan().expect("a reason").contains("lies nowhere on the part"));
     undo(&mut h);
     assert_eq!(*h.state().document().job(), before);
+    assert!(h.state().can(Command::Export));
+}
+
+/// Whatever else took the images anew: what is planned is of those that the job knows, until he takes the others.
+#[test]
+fn images_that_have_changed_are_told_and_one_click_takes_each() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let copied = ["gray.png", "depth.png", "camera.toml"].map(|name| {
+        let file = folder.path().join(name);
+        std::fs::copy(sample("weld").join(name), &file).expect("copied");
+        file
+    });
+    let [gray, depth, camera] = copied.clone();
+    let answers = Answers::default();
+    let named = [(Purpose::WeldGray, gray), (Purpose::WeldDepth, depth), (Purpose::WeldCamera, camera)];
+    answers.0.lock().expect("fresh").extend(named);
+    let mut h = window(None, &answers);
+    h.state_mut().give(Command::OpenWeld, &[]);
+    settle(&mut h);
+    assert_eq!(h.state().why_no_plan(), None);
+    let (grey, far) = WeldScene::new().images(0.3, 9);
+    std::fs::write(&copied[0], weld_panel::grey_png(&grey)).expect("written");
+    std::fs::write(&copied[1], weld_panel::depth_png(&far)).expect("written");
+    h.state_mut().give(Command::Plan, &[]);
+    for is_focused in [false, true] {
+        h.input_mut().focused = is_focused;
+        h.step();
+    }
+    settle(&mut h);
+    // The depth image is the part as well.
+    click(&mut h, "Use the changed part");
+    let why = h.state().why_no_plan().expect("a reason");
+    assert!(why.contains("gray.png is another file"), "{why}");
+    assert!(!h.state().can(Command::Export));
+    click(&mut h, "Use the changed image");
+    assert_eq!(h.state().why_no_plan(), None);
     assert!(h.state().can(Command::Export));
 }
 

@@ -8,6 +8,7 @@ use super::session::AfterGuard;
 use crate::document::files;
 use crate::document::journal::Leftover;
 use crate::document::stamps::Stamp;
+use crate::document::weld_edit::take_changed;
 use crate::document::{Document, Edit, Job};
 use crate::part::{Part, PartFinding, Source};
 use crate::planning::Failure;
@@ -146,6 +147,7 @@ impl App {
             return;
         }
         let LookedAt { file, source, stamp, carried, .. } = looked;
+        let sha256 = source.sha256.clone();
         if let Some((document, leftover)) = opening {
             self.session.forget_part();
             self.show(*document, source, None, stamp, leftover);
@@ -156,6 +158,10 @@ impl App {
         }
         let mut job = carried.map_or_else(|| self.document.job().clone(), |c| c.job);
         job.part.file = files::relative_to(&file, self.document.file());
+        if job.is_on_depth_image() {
+            let depth = job.part.file.clone();
+            take_changed(&mut job.weld, &depth, &sha256);
+        }
         self.edit(Edit::ChangedPart(Box::new(job)));
     }
 

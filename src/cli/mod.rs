@@ -1,5 +1,5 @@
-//! The command line: `inspect`, `plan`, `verify`, `render`, `register`, `deviation`,
-//! `weld`. Names, files and exit statuses are a contract.
+//! The command line: `inspect`, `plan`, `verify`, `render`, `register`, `deviation`, `weld`. Names, files and exit statuses
+//! are a contract.
 //!
 //! Exit status: 0 done · 3 done, but something is blocked, missed or found · 2 wrong usage · 1 failed,
 //! with one line that says what, where and what to do.

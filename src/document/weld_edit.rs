@@ -1,6 +1,6 @@
 //! Changes of the weld of a job, each an [`Edit`](super::Edit) of its own.
 
-use super::model::{AreaChoice, GrindingStrategy, GroundPass, JobWeld, RoughnessReading, WeldFiles};
+use super::model::{AreaChoice, GrindingStrategy, GroundPass, JobWeld, NamedImage, RoughnessReading, WeldFiles};
 use crate::weld::masking::BrushStroke;
 
 /// A change of the weld.
@@ -8,6 +8,13 @@ use crate::weld::masking::BrushStroke;
 pub enum WeldEdit {
     /// Other images; without any the weld is gone. What was painted, chosen and ground on the images before goes with them.
     Images(WeldFiles),
+    /// A file of the images is another one by now: it is taken as it is, with the digest `sha256`.
+    Changed {
+        /// As the job names it.
+        file: String,
+        /// SHA-256 of its bytes, hexadecimal.
+        sha256: String,
+    },
     /// A pass was ground: what it was planned from becomes history, and the next images take its place.
     Ground(GroundPass, WeldFiles),
     /// The level of the threshold; `None`: it follows from the histogram.
@@ -47,6 +54,7 @@ impl WeldEdit {
                     seen_anew(weld, images);
                 }
             }
+            WeldEdit::Changed { file, sha256 } => take_changed(weld, file, sha256),
             WeldEdit::Ground(pass, images) => {
                 weld.history.push(pass.clone());
                 seen_anew(weld, images);
@@ -65,6 +73,22 @@ impl WeldEdit {
     }
 }
 
+/// Takes an image, named as the job has it, as it is now: what was ground stays, what was painted and chosen on it goes.
+pub(crate) fn take_changed(weld: &mut JobWeld, file: &str, sha256: &str) {
+    let taken = |of: &NamedImage| match of.file == file {
+        true => NamedImage { sha256: sha256.to_owned(), ..of.clone() },
+        false => of.clone(),
+    };
+    let pair = |of: &WeldFiles| WeldFiles { gray: taken(&of.gray), depth: taken(&of.depth), camera: of.camera.clone() };
+    for pass in &mut weld.history {
+        pass.images = pair(&pass.images);
+    }
+    let images = pair(&weld.images);
+    if weld.images != images {
+        seen_anew(weld, &images);
+    }
+}
+
 /// Other images: pixels of the last ones say nothing of them.
 fn seen_anew(weld: &mut JobWeld, images: &WeldFiles) {
     weld.images.clone_from(images);
@@ -77,7 +101,6 @@ fn seen_anew(weld: &mut JobWeld, images: &WeldFiles) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::model::NamedImage;
     use crate::document::{Document, Edit, Job, job_file};
 
     fn images(name: &str) -> WeldFiles {
@@ -101,6 +124,7 @@ mod tests {
             WeldEdit::Areas(AreaChoice::At(vec![[3.0, 4.0]])),
             WeldEdit::GoesOn(true),
             WeldEdit::Ground(GroundPass { images: images("a"), height_mm: 4.0, planned_mm: 3.5 }, images("b")),
+            WeldEdit::Changed { file: "a_gray.png".into(), sha256: "cd".into() },
             WeldEdit::Strategy(GrindingStrategy::Zigzag),
             WeldEdit::BeadStrategy(GrindingStrategy::OneWay),
             WeldEdit::HandEye("camera.toml".into()),
@@ -124,6 +148,22 @@ mod tests {
             doc.undo();
             assert_eq!(doc.job(), job);
         }
+    }
+
+    #[test]
+    fn a_changed_image_keeps_the_history_and_what_was_said_of_other_pixels() {
+        let mut doc = Document::default();
+        for edit in all_kinds() {
+            doc.apply(&Edit::Grind(Box::new(edit)), &[], None);
+        }
+        let changed = |file: &str| WeldEdit::Changed { file: file.into(), sha256: "ef".into() };
+        doc.apply(&Edit::Grind(Box::new(changed("a_depth.png"))), &[], None);
+        let weld = &doc.job().weld;
+        assert_eq!((weld.history[0].images.depth.sha256.as_str(), weld.painted.len()), ("ef", 1), "an earlier image");
+        doc.apply(&Edit::Grind(Box::new(changed("b_gray.png"))), &[], None);
+        let weld = &doc.job().weld;
+        assert_eq!((weld.images.gray.sha256.as_str(), weld.images.depth.sha256.as_str()), ("ef", "ab"));
+        assert_eq!((weld.history.len(), weld.painted.len()), (1, 0), "what is ground stays, what was painted goes");
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! Head, beam and clamps, or a contact tool (its core, without its round edge), as they stand at a target: the bodies that the proof is about.
+//! Head, beam and clamps, or a contact tool (its core, without its round edge), as they stand at a target: the bodies that
+//! the proof is about.
 
 use super::palette::Rgb;
 use super::solid::ColoredSolid;

@@ -127,6 +127,8 @@ pub struct Keys {
     pub scan: Option<ScanKeys>,
     /// Keys of the weld; `None` where the job grinds none.
     pub weld: Option<WeldKeys>,
+    /// Key of what is reported of the weld; `None` where the job grinds none.
+    pub weld_report: Option<Digest>,
     /// Key of head, grinding tool and clamps.
     pub tool: Digest,
     /// Key of the cell with the frames of its file.
@@ -166,15 +168,17 @@ impl Keys {
         // And from the images, where it is known where the camera stood.
         let seen = weld_keys.filter(|_| !weld.hand_eye.is_empty()).map(|k| k.ground);
         let setup = setup.of(&placed).of(scanner.0).of(scanner.1).of(&seen).finish();
-        // Roughness readings are for the report alone.
-        let ground = weld_keys.map(|keys| keys.ground);
+        // Strategies are compared by their lines and by how the tool moves; roughness readings are for the report alone.
+        let weld_report = weld_keys.map(|keys| {
+            let lines = Hasher::default().of(&keys.ground).of(&layers.spacing_mm).of(&weld.arc_mm);
+            lines.of(&weld.acceleration_mm_s2).of(&beam.air_speed_mm_s).of(&weld.roughness).finish()
+        });
         let plan = Hasher::default()
             .of(&surfaces)
             .of(scan)
-            .of(&ground)
+            .of(&weld_report)
             .of(&weld.strategy)
             .of(&weld.bead_strategy)
-            .of(&weld.acceleration_mm_s2)
             .of(&setup)
             .of(settings)
             .of(layers)
@@ -183,7 +187,7 @@ impl Keys {
             .of(recipes)
             .finish();
         let dose = Hasher::default().of(&plan).of(dose).finish();
-        Keys { part, surfaces, scan: scan_keys, weld: weld_keys, tool, cell: cell_key, setup, plan, dose }
+        Keys { part, surfaces, scan: scan_keys, weld: weld_keys, weld_report, tool, cell: cell_key, setup, plan, dose }
     }
 }
 

@@ -165,6 +165,25 @@ impl<V, E> Stage<V, E> {
 }
 
 impl<V: Send + 'static, E: Send + 'static> Stage<V, E> {
+    /// Takes what has arrived, and starts the work for a key of which nothing is known: `work` is asked for only then. The
+    /// value, if it is there by now.
+    pub fn sync<W>(
+        &mut self,
+        key: Digest,
+        stage: Activity,
+        executor: &dyn Executor,
+        work: impl FnOnce() -> W,
+    ) -> Option<&Arc<V>>
+    where
+        W: FnOnce(&Progress) -> Result<V, Failure<E>> + Send + 'static,
+    {
+        self.poll();
+        if self.lacks(key) {
+            self.start(key, stage, executor, work());
+        }
+        self.of(key)
+    }
+
     /// Starts the work for a key; work for another is ended.
     pub fn start(
         &mut self,

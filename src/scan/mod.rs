@@ -30,3 +30,9 @@ pub use cloud::Cloud;
 pub(crate) const SIGMA_OF_MEDIAN: f64 = 1.4826;
 /// Width of Tukey's biweight in standard deviations, for 95 % of the mean's efficiency on normal noise.
 pub(crate) const TUKEY: f64 = 4.685;
+
+/// The middle one of some numbers, of two the greater; `None` without any. They change their order.
+pub(crate) fn upper_median(of: &mut [f64]) -> Option<f64> {
+    let middle = of.len() / 2;
+    (!of.is_empty()).then(|| *of.select_nth_unstable_by(middle, f64::total_cmp).1)
+}

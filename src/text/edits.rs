@@ -77,6 +77,7 @@ impl Sentence for WeldEdit {
         match self {
             WeldEdit::Images(images) if images.gray.file.is_empty() => say!(edit_no_weld),
             WeldEdit::Images(_) => say!(edit_weld_images),
+            WeldEdit::Changed { .. } => say!(edit_changed_image),
             WeldEdit::Ground(..) => say!(edit_ground_pass),
             WeldEdit::Threshold(_) => say!(edit_threshold),
             WeldEdit::Paint(stroke) if stroke.adds => say!(edit_paint_mask),

@@ -46,6 +46,11 @@ pub fn remedy(notice: &Notice) -> Option<String> {
         Notice::NotProven(_) => say!(remedy_not_proven),
         Notice::NothingPlanned(NothingReason::NoLines { taken_by: None, .. }) => say!(remedy_no_lines),
         Notice::LeftOut { why: Some(RefusalReason::OffLine { .. }), .. } => say!(remedy_far_from_flange),
+        Notice::LeftOut {
+            cause: RefusalCause::Beam | RefusalCause::Head | RefusalCause::Obstacle, slack_mm, ..
+        } if *slack_mm >= TOLD_SLACK_MM => {
+            say!(remedy_slack, slack = fixed(*slack_mm, 1))
+        }
         Notice::LeftOut { cause, correction, .. } => against(*cause, *correction),
         Notice::Missed { by_planes: true, .. } => say!(remedy_missed_by_planes),
         Notice::Missed { by_planes: false, .. } => say!(remedy_missed_by_lines),
@@ -57,6 +62,9 @@ pub fn remedy(notice: &Notice) -> Option<String> {
         Notice::Remark { .. } | Notice::InFile(_) | Notice::NothingPlanned(_) | Notice::NoLines { .. } => return None,
     })
 }
+
+/// A slack from which on it is the likelier reason that nothing fits, mm: as much as the margin that is kept anyway.
+const TOLD_SLACK_MM: f64 = 1.0;
 
 /// The first target that a finding is about, and what the robot has against it.
 pub fn example(notice: &Notice) -> Option<String> {
@@ -79,6 +87,8 @@ impl NamedSentence for NothingReason {
                 say!(notice_no_lines_for, area = fixed(*area_mm2, 2), why = why.sentence())
             }
             NothingReason::NoWear => say!(notice_no_wear),
+            NothingReason::Held => say!(notice_held),
+            NothingReason::NothingToGrind => say!(notice_nothing_to_grind),
             NothingReason::AllBlocked { by } => {
                 say!(notice_all_left_out, list = listed(by.iter().map(|b| blocked_by(b, naming))))
             }

@@ -1,7 +1,7 @@
 //! The state of a plan in one line: first what is not proven, then what is left out, then what is done.
 
 use super::{Sentence, say};
-use crate::planning::report::PlanStatus;
+use crate::planning::report::{NothingReason, PlanStatus};
 
 impl Sentence for PlanStatus {
     fn sentence(&self) -> String {
@@ -25,9 +25,14 @@ impl Sentence for PlanStatus {
 /// Why no move has the laser on.
 fn nothing(status: &PlanStatus) -> String {
     match (status.targets, status.left_out) {
-        (0, _) => match &status.taken_by {
-            Some(why) => say!(standing_no_lines_for, why = why.sentence()),
-            None => say!(standing_no_lines),
+        (0, _) => match &status.nothing {
+            Some(NothingReason::NoWear) => say!(standing_no_wear),
+            Some(NothingReason::Held) => say!(standing_held),
+            Some(NothingReason::NothingToGrind) => say!(standing_nothing_to_grind),
+            Some(NothingReason::NoLines { taken_by: Some(why), .. }) => {
+                say!(standing_no_lines_for, why = why.sentence())
+            }
+            Some(NothingReason::NoLines { .. } | NothingReason::AllBlocked { .. }) | None => say!(standing_no_lines),
         },
         (_, 0) => say!(standing_no_light),
         (targets, left_out) if targets == left_out => say!(standing_all_left_out, targets = left_out),
@@ -42,7 +47,7 @@ mod tests {
     use crate::planning::report::Grade;
 
     fn status_of(targets: usize, left_out: usize, lit_moves: usize, unproven: usize) -> PlanStatus {
-        PlanStatus { targets, left_out, lit_moves, unproven, taken_by: None }
+        PlanStatus { targets, left_out, lit_moves, unproven, nothing: None }
     }
 
     #[test]
@@ -78,8 +83,16 @@ mod tests {
             let status = status_of(targets, left_out, 0, 0);
             assert_eq!((status.grade(), status.sentence().as_str()), (Grade::Nothing, text));
         }
-        let status = PlanStatus { taken_by: Some(TakenBy::Inset { inset_mm: 9.99 }), ..status_of(0, 0, 0, 0) };
-        let text = "nothing to do: no line lies on the chosen surfaces: the inset of 9.99 mm leaves none";
-        assert_eq!(status.sentence(), text);
+        let inset =
+            NothingReason::NoLines { taken_by: Some(TakenBy::Inset { inset_mm: 9.99 }), area_mm2: 0.0, by: Vec::new() };
+        let reasons = [
+            (inset, "nothing to do: no line lies on the chosen surfaces: the inset of 9.99 mm leaves none"),
+            (NothingReason::NoWear, "nothing to do: the scan shows no patch to work"),
+            (NothingReason::Held, "the passes wait for your word"),
+        ];
+        for (reason, text) in reasons {
+            let status = PlanStatus { nothing: Some(reason), ..status_of(0, 0, 0, 0) };
+            assert_eq!(status.sentence(), text);
+        }
     }
 }

@@ -16,6 +16,7 @@ impl Sentence for Activity {
             Activity::MaskingImage => say!(activity_masking_image),
             Activity::MeasuringBead => say!(activity_measuring_bead),
             Activity::CuttingAreas => say!(activity_cutting_areas),
+            Activity::ComparingStrategies => say!(activity_comparing_strategies),
             Activity::BuildingPart => say!(activity_building_part),
             Activity::CuttingSurfaces => say!(activity_cutting_surfaces),
             Activity::NamingShapes => say!(activity_naming_shapes),

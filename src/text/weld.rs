@@ -196,6 +196,8 @@ impl Sentence for HeldReason {
             HeldReason::Removal { removed_mm, planned_mm } => {
                 say!(weld_held_removal, removed = fixed(*removed_mm, 2), planned = fixed(*planned_mm, 2))
             }
+            HeldReason::Place { slack_mm: Some(mm) } => say!(weld_held_slack, slack = fixed(*mm, 1)),
+            HeldReason::Place { slack_mm: None } => say!(weld_held_place),
             HeldReason::Below { below_mm } => say!(weld_held_below, below = fixed(*below_mm, 2)),
         }
     }
@@ -215,6 +217,9 @@ pub fn weld_lines(weld: &WeldReport) -> Vec<String> {
     let defects = weld.areas.iter().filter(|a| a.area == AreaKind::Flat);
     out.extend(defects.map(|a| say!(weld_defect, area = fixed(a.area_mm2, 0), aspect = fixed(a.aspect, 2))));
     out.extend(weld.registration.iter().flat_map(how_it_lies));
+    if weld.slack_mm > 0.0 {
+        out.push(say!(weld_slack, slack = fixed(weld.slack_mm, 2)));
+    }
     out.extend(weld.unmeasured.iter().map(Sentence::sentence));
     out.extend(weld.times.iter().map(times_line));
     out.extend(weld.held.iter().map(Sentence::sentence));

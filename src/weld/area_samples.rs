@@ -4,7 +4,7 @@
 use crate::part::angle;
 use crate::progress::{Cancelled, Progress};
 use crate::scan::neighbours::{Neighbour, Neighbours};
-use crate::scan::{Cloud, SIGMA_OF_MEDIAN, TUKEY};
+use crate::scan::{Cloud, SIGMA_OF_MEDIAN, TUKEY, upper_median};
 use nalgebra::{Matrix6, Point3, Vector3, Vector6};
 
 /// Samples so far around a place count, mm: a bead of 12 mm width and 15 mm height bends by 0.1 mm in the third order over
@@ -71,9 +71,7 @@ impl AreaSamples {
             let quadric = normal_matrix.cholesky()?.solve(&right);
             level = Some(quadric[0]);
             let off: Vec<f64> = rows.iter().map(|(row, value)| (value - quadric.dot(row)).abs()).collect();
-            let mut sorted = off.clone();
-            let middle = sorted.len() / 2;
-            let width = TUKEY * SIGMA_OF_MEDIAN * *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
+            let width = TUKEY * SIGMA_OF_MEDIAN * upper_median(&mut off.clone())?;
             if width <= 0.0 {
                 break;
             }

@@ -3,7 +3,7 @@
 //!
 //! Ten coefficients in coordinates that the caller has brought to about −1..1; with any others the digits go.
 
-use crate::scan::{SIGMA_OF_MEDIAN, TUKEY};
+use crate::scan::{SIGMA_OF_MEDIAN, TUKEY, upper_median};
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
 
@@ -62,8 +62,7 @@ pub(super) fn fit(points: &[[f64; 3]]) -> Option<CubicFit> {
         }
         let off = |[x, y, z]: &[f64; 3]| (z - cubic.dot(&terms(*x, *y))).abs();
         offs.par_iter_mut().zip(points).with_min_len(BLOCK).for_each(|(into, p)| *into = off(p));
-        let middle = offs.len() / 2;
-        sigma_mm = (SIGMA_OF_MEDIAN * *offs.select_nth_unstable_by(middle, f64::total_cmp).1).max(LEAST_SIGMA_MM);
+        sigma_mm = (SIGMA_OF_MEDIAN * upper_median(&mut offs)?).max(LEAST_SIGMA_MM);
         width_mm = TUKEY * sigma_mm * shrunk;
         shrunk = (shrunk * SHRINK).max(1.0);
     }

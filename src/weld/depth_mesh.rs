@@ -4,6 +4,7 @@
 use super::camera::DepthCamera;
 use super::raster::DepthImage;
 use crate::part::raw_part::RawFacet;
+use crate::scan::upper_median;
 use nalgebra::Point3;
 
 /// Nodes are so far apart, mm.
@@ -54,11 +55,6 @@ fn facets(nodes: &[Option<Point3<f64>>], columns: usize) -> Vec<RawFacet> {
         }
     }
     out
-}
-
-fn upper_median(of: &mut [f64]) -> Option<f64> {
-    let middle = of.len() / 2;
-    (!of.is_empty()).then(|| *of.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 #[cfg(test)]

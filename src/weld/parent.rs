@@ -8,7 +8,7 @@ use super::cubic_fit::{self, Cubic, slopes, terms};
 use super::pixel_distance::distances_px;
 use super::points::PixelPoint;
 use super::raster::Mask;
-use crate::scan::{SIGMA_OF_MEDIAN, TUKEY};
+use crate::scan::{SIGMA_OF_MEDIAN, TUKEY, upper_median};
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, SymmetricEigen, Translation3, UnitQuaternion, Vector2, Vector3};
 use thiserror::Error;
 
@@ -223,15 +223,9 @@ pub(super) fn mm_per_px(points: &[PixelPoint]) -> Option<f64> {
     let across = |p: &PixelPoint| p.point.x / p.point.z;
     let beside = |a: &PixelPoint, b: &PixelPoint| a.pixel[1] == b.pixel[1] && a.pixel[0] + 1 == b.pixel[0];
     let steps = points.windows(2).filter(|w| beside(&w[0], &w[1])).map(|w| across(&w[1]) - across(&w[0]));
-    let per_px = median(steps.collect())?;
-    let depth = median(points.iter().map(|p| p.point.z).collect())?;
+    let per_px = upper_median(&mut steps.collect::<Vec<_>>())?;
+    let depth = upper_median(&mut points.iter().map(|p| p.point.z).collect::<Vec<_>>())?;
     Some(per_px * depth).filter(|mm| mm.is_finite() && *mm > 0.0)
-}
-
-/// The upper median; `None` without any.
-pub(super) fn median(mut of: Vec<f64>) -> Option<f64> {
-    let middle = of.len() / 2;
-    (!of.is_empty()).then(|| *of.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 /// The frame of a robust plane through `around`: z towards the camera, x along where `under` is longest.
@@ -246,7 +240,8 @@ fn frame(under: &[Point3<f64>], around: &[Point3<f64>]) -> Option<Isometry3<f64>
         let eigen = SymmetricEigen::new(spread);
         normal = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into_owned();
         origin = middle;
-        let sigma = SIGMA_OF_MEDIAN * median(around.iter().map(|p| (p - origin).dot(&normal).abs()).collect())?;
+        let mut offs: Vec<f64> = around.iter().map(|p| (p - origin).dot(&normal).abs()).collect();
+        let sigma = SIGMA_OF_MEDIAN * upper_median(&mut offs)?;
         let width = (TUKEY * sigma).max(1e-6);
         for (weight, p) in weights.iter_mut().zip(around) {
             let share = (p - origin).dot(&normal) / width;

@@ -41,7 +41,7 @@ struct Envelope {
 }
 
 impl Envelope {
-    /// min over j of (i − j)² + heights[j], for each i.
+    /// The least over j of `(i − j)² + heights[j]`, for each i.
     fn lowered(&mut self, heights: &[f64]) -> &[f64] {
         self.parabolas.clear();
         for (at, &high) in heights.iter().enumerate().filter(|(_, high)| high.is_finite()) {

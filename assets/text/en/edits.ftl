@@ -110,6 +110,7 @@ edit_base_from_scan = change the scanner's frame
 
 edit_no_weld = take the weld's images away
 edit_weld_images = change the weld's images
+edit_changed_image = use the changed image
 edit_ground_pass = take the next images
 edit_threshold = change the threshold
 edit_paint_mask = paint the mask

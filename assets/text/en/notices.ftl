@@ -33,6 +33,8 @@ remedy_not_proven = do not run the program; `clearbeam verify` names the lines; 
 
 ## Not done
 notice_no_wear = the scan shows no patch to work: nothing is missing by more than the least depth
+notice_held = the passes wait for your word, so there is no program
+notice_nothing_to_grind = no pass is left, and no other area is chosen, so there is no program
 notice_no_lines = nothing to do, so there is no program: no line lies on the chosen surfaces
 notice_no_lines_for = nothing to do, so there is no program: no line lies on the chosen surfaces ({ $area } mm²): { $why }
 notice_no_lines_on = { $surface }: no line on its { $area } mm²: { $why }
@@ -68,6 +70,7 @@ why_limit = a joint would leave its limits
 why_speed = a joint would be too fast
 why_singularity = the arm would be singular
 remedy_no_lines = choose other surfaces, a smaller spacing, or another direction
+remedy_slack = the part may lie { $slack } mm off where it was seen, and the tool keeps that clear as well: scan or photograph an edge or a hole that holds it there, or leave the part's file out
 remedy_grinding = grind first what stands there, or take a smaller tool
 remedy_correct = let the beam be tilted: choose the correction section-plane or clearance
 remedy_clearance = choose the correction clearance

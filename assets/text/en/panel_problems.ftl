@@ -14,6 +14,8 @@ problems_go = Go there
 problems_show = Show it
 problems_use_changed_scan = Use the changed scan
 problems_use_changed_scan_tip = Takes the file as it is now; where the scan lies is looked for again
+problems_use_changed_image = Use the changed image
+problems_use_changed_image_tip = Takes the file as it is now; what was painted and chosen on the images goes
 
 ## What casts doubt on the part
 

@@ -34,3 +34,4 @@ activity_reading_images = reading the images
 activity_masking_image = looking for areas in the grey image
 activity_measuring_bead = measuring the bead
 activity_cutting_areas = making surfaces of the areas
+activity_comparing_strategies = comparing the strategies of grinding

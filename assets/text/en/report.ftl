@@ -13,6 +13,9 @@ standing_proven = { $moves ->
     [one] proven free: 1 lit move
    *[other] proven free: { $moves } lit moves
 }
+standing_no_wear = nothing to do: the scan shows no patch to work
+standing_held = the passes wait for your word
+standing_nothing_to_grind = nothing to do: no pass is left, and no other area is chosen
 standing_no_lines = nothing to do: no line lies on the chosen surfaces
 standing_no_lines_for = nothing to do: no line lies on the chosen surfaces: { $why }
 standing_no_light = nothing to do: no move has the laser on

@@ -1,11 +1,12 @@
 ### A weld that is ground: its images, its camera, what was measured.
 
-weld_changed = { $file } is another file than when the job was saved; take the images again
+weld_changed = { $file } is another file than when the job was saved; put the old file back, or use this one (in the window)
 weld_other_size = the images have { $now_width } × { $now_height } pixels, and those before the first pass { $width } × { $height }: take them with the same camera from the same place
 weld_no_area = no area stands out from the skin in the grey image: lower the threshold, or paint the area
 weld_too_many_passes = the bead takes more than 1000 passes of this depth: give a greater depth of a pass
 weld_no_skin = the depth image tells no skin around the areas
 weld_not_on_part = the skin that the camera sees lies nowhere on the part: { $what }
+weld_slack = the part may lie { $slack } mm off where it was seen: arm and tool keep { $slack } mm more than their margin
 weld_no_depth_there = nothing was measured in depth where the mask is: take the images again, or paint less
 weld_few_points = only { $count } depths around the bead, { $least } are needed: take the images from nearer
 weld_one_side = the skin was measured on both sides along { $share } % of the bead only: take the images so that both sides are seen
@@ -16,6 +17,8 @@ weld_short = the bead is { $length } mm long, too short for a centre line
 weld_no_edges = the edges of the bead were not found: it runs into something beside it
 weld_unmeasured = the area at column { $u }, row { $v } was left alone: { $what }
 weld_held_removal = the last pass took off { $removed } mm where { $planned } mm were planned: the next one waits for your word
+weld_held_slack = the images may lie { $slack } mm off on the part, and the passes with them: photograph an edge or a hole as well, state where the camera stood, or leave the part out; they wait for your word
+weld_held_place = where on the part the images were taken is open: photograph an edge or a hole as well, state where the camera stood, or leave the part out; the passes wait for your word
 weld_held_below = the last pass went { $below } mm below the skin around the bead: the next one waits for your word
 weld_bead = bead: { $height } mm high, { $width } mm wide, { $length } mm long; { $passes ->
     [one] 1 pass

@@ -5,6 +5,7 @@ mod bead;
 mod beam;
 pub(super) mod better_setup;
 mod cell;
+mod color_strip;
 pub(super) mod compare;
 pub(super) mod dialogs;
 pub(super) mod dose;

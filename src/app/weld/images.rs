@@ -16,7 +16,7 @@ pub enum MaskStep {
     Gray,
     /// Its light evened out.
     Evened,
-    /// The same without noise.
+    /// The evened image without noise.
     Smoothed,
     /// Pixels above the threshold.
     Above,

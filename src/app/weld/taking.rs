@@ -23,8 +23,7 @@ impl Context<'_> {
     /// left.
     pub fn planned_height_mm(self) -> Option<f64> {
         let ground = self.derived.pipeline.welded()?.ground?;
-        let at_once = self.document.job().weld.at_once.max(1) as usize;
-        ground.report.schedule.iter().take(at_once).next_back().map(|pass| pass.level_mm)
+        ground.passes.levels_mm(self.document.job().weld.at_once).last().copied()
     }
 }
 
@@ -99,7 +98,7 @@ impl App {
         let images = self.document.job().weld.images.clone();
         let Some(planned_mm) = self.context().planned_height_mm() else { return };
         let ground = self.derived.pipeline.welded().and_then(|w| w.ground);
-        let height_mm = ground.map_or(0.0, |g| g.report.max_height_mm);
+        let height_mm = ground.and_then(|g| Some(g.measured.bead()?.max_height_mm)).unwrap_or(0.0);
         let pass = GroundPass { images, height_mm, planned_mm };
         let next = given.named(self.document.file());
         self.edit(Edit::Grind(Box::new(WeldEdit::Ground(pass, next))));

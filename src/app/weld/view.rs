@@ -4,7 +4,7 @@
 use super::images::MaskStep;
 use super::textures::ImageTextures;
 use crate::picture::weld::{WeldPicture, weld_picture};
-use crate::planning::welded::{MeasuredWeld, ReadWeld, WeldOnPart, Welded};
+use crate::planning::welded::{MeasuredWeld, ReadWeld, WeldOnPart, WeldReport, Welded};
 use crate::view::{CloudItem, LineItem};
 use crate::weld::masking::MaskedImage;
 use eframe::egui;
@@ -18,6 +18,7 @@ pub(in super::super) struct WeldView {
     masked: Option<Arc<MaskedImage>>,
     measured: Option<Arc<MeasuredWeld>>,
     ground: Option<Arc<WeldOnPart>>,
+    report: Option<Arc<WeldReport>>,
     textures: Option<ImageTextures>,
     picture: Option<(Arc<MeasuredWeld>, Isometry3<f64>, WeldPicture)>,
 }
@@ -29,7 +30,7 @@ impl WeldView {
             *self = WeldView::default();
             return;
         }
-        let Some(Welded { read, masked, measured, ground }) = welded else {
+        let Some(Welded { read, masked, measured, ground, report }) = welded else {
             if is_refused {
                 *self = WeldView::default();
             }
@@ -42,6 +43,7 @@ impl WeldView {
         self.masked = masked.or(self.masked.take());
         self.measured = measured.or(self.measured.take().filter(|_| !is_refused));
         self.ground = ground.or(self.ground.take().filter(|_| !is_refused));
+        self.report = report.or(self.report.take().filter(|_| !is_refused));
         self.sync_picture();
     }
 
@@ -83,9 +85,9 @@ impl WeldView {
         self.measured.as_ref()
     }
 
-    /// What is ground of it.
-    pub fn ground(&self) -> Option<&Arc<WeldOnPart>> {
-        self.ground.as_ref()
+    /// What is reported of it.
+    pub fn report(&self) -> Option<&WeldReport> {
+        self.report.as_deref()
     }
 
     /// The images on the graphics card.

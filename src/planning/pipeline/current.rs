@@ -78,7 +78,8 @@ impl Pipeline {
 
     /// What is known of its weld; `None` where it has none, or its images are not read yet.
     pub fn welded(&self) -> Option<Welded> {
-        self.weld.of(&self.keys()?.weld?)
+        let keys = self.keys()?;
+        self.weld.of((&keys.weld?, keys.weld_report?))
     }
 
     /// Whether the job has a scan whose patches are not there yet: what is planned then would be another job.
@@ -131,7 +132,8 @@ impl Pipeline {
         if let Some(why) = keys.scan.and_then(|scan| self.scan.failure(&scan)) {
             return Some(why.clone().into());
         }
-        if let Some(why) = keys.weld.and_then(|weld| self.weld.failure(&weld)) {
+        let of_weld = keys.weld.zip(keys.weld_report);
+        if let Some(why) = of_weld.and_then(|(weld, report)| self.weld.failure((&weld, report))) {
             return Some(why.clone().into());
         }
         if let Some(Err(why)) = self.setup() {

@@ -37,45 +37,30 @@ impl ScanStages {
         executor: &dyn Executor,
     ) {
         let scan = || job.scan.clone();
-        self.read.poll();
-        if self.read.lacks(keys.read) {
+        let read = self.read.sync(keys.read, Activity::ReadingScan, executor, || {
             let (scan, job_file) = (scan(), job_file.map(Path::to_path_buf));
-            self.read.start(keys.read, Activity::ReadingScan, executor, move |progress| {
-                Ok(read_scan(&scan, job_file.as_deref(), progress)?)
-            });
-        }
-        let Some(read) = self.read.of(keys.read) else { return };
-        self.cleaned.poll();
-        if self.cleaned.lacks(keys.cleaned) {
+            move |progress: &Progress| Ok(read_scan(&scan, job_file.as_deref(), progress)?)
+        });
+        let Some(read) = read else { return };
+        let cleaned = self.cleaned.sync(keys.cleaned, Activity::CleaningScan, executor, || {
             let (scan, read) = (scan(), read.clone());
-            self.cleaned.start(keys.cleaned, Activity::CleaningScan, executor, move |progress| {
-                Ok(clean(&read.cloud, &scan.steps, progress)?)
-            });
-        }
-        let Some(cleaned) = self.cleaned.of(keys.cleaned) else { return };
-        self.laid.poll();
-        if self.laid.lacks(keys.laid) {
+            move |progress: &Progress| Ok(clean(&read.cloud, &scan.steps, progress)?)
+        });
+        let Some(cleaned) = cleaned else { return };
+        let laid = self.laid.sync(keys.laid, Activity::LayingScan, executor, || {
             let (job, cleaned, part, surfaces) = (job.clone(), cleaned.clone(), part.clone(), surfaces.clone());
-            self.laid.start(keys.laid, Activity::LayingScan, executor, move |progress| {
-                Ok(lay(&part, &surfaces, &cleaned.cloud, &job, progress)?)
-            });
-        }
-        let Some(laid) = self.laid.of(keys.laid) else { return };
-        self.compared.poll();
-        if self.compared.lacks(keys.compared) {
+            move |progress: &Progress| Ok(lay(&part, &surfaces, &cleaned.cloud, &job, progress)?)
+        });
+        let Some(laid) = laid else { return };
+        let compared = self.compared.sync(keys.compared, Activity::ComparingScan, executor, || {
             let (scan, laid) = (scan(), laid.clone());
-            self.compared.start(keys.compared, Activity::ComparingScan, executor, move |progress| {
-                Ok(compare(&laid, &scan, progress)?)
-            });
-        }
-        let Some(compared) = self.compared.of(keys.compared) else { return };
-        self.worn.poll();
-        if self.worn.lacks(keys.worn) {
+            move |progress: &Progress| Ok(compare(&laid, &scan, progress)?)
+        });
+        let Some(compared) = compared else { return };
+        self.worn.sync(keys.worn, Activity::CuttingPatches, executor, || {
             let (job, laid, compared) = (job.clone(), laid.clone(), compared.clone());
-            self.worn.start(keys.worn, Activity::CuttingPatches, executor, move |progress| {
-                Ok(worn((&laid, &compared), &job, progress)?)
-            });
-        }
+            move |progress: &Progress| Ok(worn((&laid, &compared), &job, progress)?)
+        });
     }
 
     /// What there is for these keys; `None` while nothing was read.

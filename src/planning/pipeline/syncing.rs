@@ -89,11 +89,11 @@ impl Pipeline {
 
     fn sync_weld(&mut self, job: &Job, job_file: Option<&Path>, keys: &Keys) {
         let (Some(part), Some(surfaces)) = (self.part.of(keys.part), self.surfaces.of(keys.surfaces)) else { return };
-        let Some(weld) = &keys.weld else {
+        let Some((weld, report)) = keys.weld.zip(keys.weld_report) else {
             self.weld.stop();
             return;
         };
-        self.weld.sync(part, surfaces, job, job_file, weld, &*self.executor);
+        self.weld.sync(part, surfaces, job, job_file, (&weld, report), &*self.executor);
     }
 
     /// Files are small and read at once; each is read again only where its own key changes, as frames are
@@ -165,7 +165,12 @@ impl Pipeline {
             });
         }
         let is_laid = !self.with_lines || !self.lines.is_running();
-        if is_laid && self.plan.lacks(keys.plan) {
+        let weld_report = keys.weld_report.and_then(|report| self.weld.reported.of(report)).cloned();
+        let is_reported = weld_report.is_some() || keys.weld_report.is_none();
+        if !is_reported {
+            self.plan.only(keys.plan);
+        }
+        if is_laid && is_reported && self.plan.lacks(keys.plan) {
             let (key, job, cache) = (keys.plan, job.clone(), self.cache.clone());
             let scanned = self.scanned();
             let weld = self.welded().and_then(|welded| welded.ground);
@@ -175,7 +180,7 @@ impl Pipeline {
                 let setup = beside_unscanned(with_slack(setup, slack_mm), &part);
                 let mut plan = plan(&part, &surfaces, &job, &setup, &cache, progress)?;
                 let is_placed = job.scan.scanner(setup.mount).is_some();
-                plan.weld = weld;
+                (plan.weld, plan.weld_report) = (weld, weld_report);
                 plan.scan = scanned.and_then(|s| ScanReport::new(&s, is_placed));
                 let in_file = in_file(&part, &surfaces, &job, progress)?;
                 let report = Report::new(&plan, &surfaces).with_inputs(&in_file, &job, &setup);

@@ -10,7 +10,7 @@ pub mod taken_by;
 pub mod toolpath;
 
 use super::scanned::ScanReport;
-use super::welded::WeldOnPart;
+use super::welded::{WeldOnPart, WeldReport};
 use crate::cell::motion::{Choice, Refusal};
 use crate::part::{GrownPart, SurfaceId};
 use crate::pose::{Pass, TargetState};
@@ -50,6 +50,8 @@ pub struct Plan {
     pub scan: Option<ScanReport>,
     /// The weld that it grinds; `None`: it grinds none.
     pub weld: Option<Arc<WeldOnPart>>,
+    /// What is reported of that weld.
+    pub weld_report: Option<Arc<WeldReport>>,
 }
 
 impl Plan {

@@ -192,7 +192,7 @@ impl Report {
             cell: plan.cell.clone(),
             scan: plan.scan.clone(),
             patches: plan.scan.as_ref().map(|s| s.patches.clone()),
-            weld: plan.weld.as_ref().map(|weld| weld.report.clone()),
+            weld: plan.weld_report.as_deref().cloned(),
             inputs: Vec::new(),
             written: None,
         }
@@ -203,6 +203,12 @@ impl Report {
         self.findings.extend(in_file.iter().cloned().map(PlanFinding::InFile));
         self.findings.extend(unverified(job, setup));
         self
+    }
+
+    /// How far the part may lie off where it was scanned or seen, mm.
+    pub fn slack_mm(&self) -> f64 {
+        let scanned_mm = self.scan.as_ref().map_or(0.0, |scan| scan.slack_mm);
+        self.weld.as_ref().map_or(scanned_mm, |weld| scanned_mm.max(weld.slack_mm))
     }
 
     /// Whether everything chosen is done.

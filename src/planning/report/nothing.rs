@@ -24,6 +24,10 @@ pub enum NothingReason {
     },
     /// The scan shows no patch to work.
     NoWear,
+    /// What is to be ground waits for the operator's word.
+    Held,
+    /// No pass of the bead is left, or none of it is chosen, and no other area.
+    NothingToGrind,
     /// Every line is blocked.
     AllBlocked {
         /// By what, in the order in which it was met.
@@ -65,9 +69,13 @@ pub(super) fn nothing_planned(plan: &Plan, problems: &[Problem], rows: &[Surface
     if !is_dark(plan) {
         return None;
     }
-    // Surfaces are chosen, or a scan tells them.
+    // Surfaces are chosen, or a scan or images tell them.
     if rows.is_empty() {
-        return Some(NothingReason::NoWear);
+        return Some(match &plan.weld_report {
+            Some(weld) if weld.held.is_some() => NothingReason::Held,
+            Some(_) => NothingReason::NothingToGrind,
+            None => NothingReason::NoWear,
+        });
     }
     let mut by: Vec<BlockedBy> = Vec::new();
     for p in problems {

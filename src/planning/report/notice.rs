@@ -45,6 +45,8 @@ pub enum Notice {
         by_surface: Option<SurfaceId>,
         /// How the beam may be tilted on it; `None`: what works there is no beam.
         correction: Option<Correction>,
+        /// How far the part may lie off where it was scanned or seen, which tool and arm keep clear as well, mm.
+        slack_mm: f64,
         /// How many.
         targets: usize,
         /// The first of them: pass and point.
@@ -136,7 +138,7 @@ pub fn notices_worst_first(report: &Report, job: &Job, in_file: &[PartFinding]) 
     let mut groups = BTreeMap::new();
     for problem in &report.problems {
         match problem.cause {
-            NotDone::Blocked(cause) => left_out(&mut out, &mut groups, problem, cause, job),
+            NotDone::Blocked(cause) => left_out(&mut out, &mut groups, problem, cause, (job, report.slack_mm())),
             NotDone::Missed => out.extend(missed(report, SurfaceId(problem.surface), job)),
         }
     }
@@ -175,7 +177,13 @@ fn of_finding(finding: &PlanFinding) -> Option<Notice> {
 type Groups = BTreeMap<(SurfaceId, RefusalCause, Option<SurfaceId>), usize>;
 
 /// Counts a target that is left out, with those of its surface that have the same cause.
-fn left_out(out: &mut Vec<Notice>, groups: &mut Groups, problem: &Problem, cause: RefusalCause, job: &Job) {
+fn left_out(
+    out: &mut Vec<Notice>,
+    groups: &mut Groups,
+    problem: &Problem,
+    cause: RefusalCause,
+    (job, slack_mm): (&Job, f64),
+) {
     let (surface, by_surface) = (SurfaceId(problem.surface), problem.by_surface.map(SurfaceId));
     let group = (surface, cause, by_surface);
     if let Some(Notice::LeftOut { targets, .. }) = groups.get(&group).and_then(|at| out.get_mut(*at)) {
@@ -186,7 +194,16 @@ fn left_out(out: &mut Vec<Notice>, groups: &mut Groups, problem: &Problem, cause
     groups.insert(group, out.len());
     let correction = (!job.weld.is_there()).then(|| job.of_surface(surface).path.correction);
     let why = problem.why.clone();
-    out.push(Notice::LeftOut { surface, cause, by_surface, correction, targets: 1, first: (pass, point), why });
+    out.push(Notice::LeftOut {
+        surface,
+        cause,
+        by_surface,
+        correction,
+        slack_mm,
+        targets: 1,
+        first: (pass, point),
+        why,
+    });
 }
 
 fn missed(report: &Report, surface: SurfaceId, job: &Job) -> Option<Notice> {

@@ -1,7 +1,6 @@
 //! How a plan stands in a few numbers: what is not proven, what is left out, what is done.
 
 use super::{NothingReason, PlanFinding, Report};
-use crate::planning::TakenBy;
 
 /// What matters most of a plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +16,7 @@ pub enum Grade {
 }
 
 /// How a plan stands.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PlanStatus {
     /// Its targets.
     pub targets: usize,
@@ -27,8 +26,8 @@ pub struct PlanStatus {
     pub lit_moves: usize,
     /// Moves with the laser on that are not proven to be free of contact.
     pub unproven: usize,
-    /// What takes the last line on most of the area, where there is no line at all.
-    pub taken_by: Option<TakenBy>,
+    /// Why nothing is worked, where there is no line at all.
+    pub nothing: Option<NothingReason>,
 }
 
 impl PlanStatus {
@@ -54,10 +53,10 @@ impl Report {
         let proof = self.proof.as_ref()?;
         let unproven = proof.refuted.len();
         let (targets, left_out, lit_moves) = (self.points, self.blocked, proof.lit_moves);
-        let taken_by = self.findings.iter().find_map(|finding| match finding {
-            PlanFinding::NothingPlanned { reason: NothingReason::NoLines { taken_by, .. } } => *taken_by,
+        let nothing = self.findings.iter().find_map(|finding| match finding {
+            PlanFinding::NothingPlanned { reason } => Some(reason.clone()),
             _ => None,
         });
-        Some(PlanStatus { targets, left_out, lit_moves, unproven, taken_by })
+        Some(PlanStatus { targets, left_out, lit_moves, unproven, nothing })
     }
 }

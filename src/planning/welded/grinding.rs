@@ -2,7 +2,7 @@
 //! kept with its surfaces.
 
 use super::on_part::WeldPart;
-use super::{MeasuredArea, MeasuredWeld, ReadWeld, WeldError, WeldProgress};
+use super::{HeldReason, MeasuredArea, MeasuredWeld, ReadWeld, WeldError, WeldProgress};
 use crate::document::Job;
 use crate::part::ground::CentrePoint;
 use crate::part::patched::{GroundPatch, PatchCut, PatchSurface, RefinedFacets, grounds, standing, with_patches};
@@ -68,8 +68,11 @@ pub fn ground(
     let cut = PatchCut { above_mm: 0.0, levels_mm: &levels_mm, triangles: &triangles };
     let mut patched = with_patches(&on.part, &on.surfaces, &refined, &cut, progress)?;
     patched.surfaces.grounds = grounds(&patched, &patches);
-    let is_given_out =
-        |area: &AreaOnPart<'_>| area.of.bead.is_none() || passes.held.is_none() && !passes.left.is_empty();
+    let is_given_out = |area: &AreaOnPart<'_>| match (passes.held, &area.of.bead) {
+        (Some(HeldReason::Place { .. }), _) => false,
+        (held, Some(_)) => held.is_none() && !passes.left.is_empty(),
+        (_, None) => true,
+    };
     let is_worked = |area: &AreaOnPart<'_>| is_given_out(area) && area.of.is_chosen(&job.weld.areas);
     let chosen = areas.iter().zip(&patched.patches).filter(|(area, _)| is_worked(area));
     patched.surfaces.worked = Some(chosen.flat_map(|(_, pieces)| pieces.iter().map(|piece| piece.surface)).collect());

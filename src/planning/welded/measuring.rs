@@ -5,7 +5,7 @@ use super::masking::masked_by;
 use super::{ReadWeld, WeldError};
 use crate::document::model::{AreaChoice, JobWeld};
 use crate::progress::Progress;
-use crate::weld::bead::{AreaKind, WeldBead, WeldBeadError, kind_of_area, measure};
+use crate::weld::bead::{AreaKind, SeenArea, WeldBead, WeldBeadError};
 use crate::weld::masking::{DefectArea, MaskedImage};
 use crate::weld::parent::{ParentError, ParentSurface};
 use crate::weld::points::points;
@@ -52,9 +52,6 @@ pub struct MeasuredWeld {
     /// How far the ground lies below the metal around the bead by now, mm; 0 before anything was ground.
     pub below_mm: f64,
 }
-
-/// An outline by the grey image is so far off that the metal beside it does not count as sound, px.
-const GREY_MARGIN_PX: f64 = 7.0;
 
 impl MeasuredArea {
     /// What it is.
@@ -109,7 +106,7 @@ pub fn measure_weld(
         let Some(bead) = &area.bead else { continue };
         let left = bead.remaining(&now, &covered).map_err(|e| WeldError::Bead(e.into()))?;
         measured.below_mm = measured.below_mm.max(left.state.below_mm);
-        let bead = bead.ground_down(left, &now);
+        let bead = bead.ground_down(left);
         area.places = bead.points.iter().map(|p| p.foot).collect();
         (area.parent, area.bead) = (bead.parent.clone(), Some(bead));
     }
@@ -138,14 +135,13 @@ fn measured_in(
             };
             MeasuredArea { seen: seen.clone(), outline, parent, places, bead }
         };
-        let measured = match kind_of_area(&all, &area, &covered) {
-            Ok(AreaKind::Bead) => measure(&all, &area, &covered, &read.camera)
-                .map(|bead| of_area(bead.outline.clone(), bead.parent.clone(), Some(bead))),
-            Ok(AreaKind::Flat) => ParentSurface::fit(&all, &area, &covered, GREY_MARGIN_PX)
-                .map(|parent| of_area(area.clone(), parent, None))
-                .map_err(WeldBeadError::Parent),
-            Err(e) => Err(e.into()),
-        };
+        let measured =
+            SeenArea::new(&all, &area, &covered).map_err(WeldBeadError::from).and_then(|at| match at.kind() {
+                AreaKind::Bead => {
+                    at.measure(&read.camera).map(|bead| of_area(bead.outline.clone(), bead.parent.clone(), Some(bead)))
+                }
+                AreaKind::Flat => Ok(of_area(area.clone(), at.parent, None)),
+            });
         match measured {
             Ok(area) if area.bead.is_some() => beads.push(area),
             Ok(area) => flat.push(area),

@@ -21,7 +21,7 @@ pub use measuring::{MeasuredArea, MeasuredWeld, UnmeasuredArea, measure_weld};
 pub use on_part::{WeldPart, weld_part};
 pub use passes::WeldProgress;
 pub use reading::{ReadWeld, read_weld};
-pub use report_rows::{AreaReport, AreaTimes, GroundPassReport, HeldReason, PassReport};
+pub use report_rows::{AreaReport, AreaTimes, GroundPassReport, HeldReason};
 pub use so_far::Welded;
 pub use times::area_times;
 pub use weld_on_part::{WeldOnPart, weld_on_part};

@@ -1,14 +1,14 @@
 //! Where the camera's points lie on the part. Without a model the part is the skin that the images show, in the camera's
 //! frame; else they are laid on it as a scan is, from anywhere, without what stands on it.
 
-use super::{MeasuredWeld, ReadWeld, WeldError};
+use super::{HeldReason, MeasuredWeld, ReadWeld, WeldError};
 use crate::document::Job;
 use crate::document::segmented;
 use crate::part::raw_part::RawPart;
 use crate::part::{Part, Placement, Source, Surfaces, Units, Weld};
 use crate::progress::Progress;
 use crate::scan::Cloud;
-use crate::scan::registration::{Registration, RegistrationOptions, SurfaceNormals, register};
+use crate::scan::registration::{Registration, RegistrationOptions, SlidingKind, SurfaceNormals, register};
 use crate::weld::points::points;
 use crate::weld::skin::{AreaOnParent, skin};
 use nalgebra::{Isometry3, Point3};
@@ -32,7 +32,19 @@ impl WeldPart {
     pub fn slack_mm(&self) -> f64 {
         self.registration.as_ref().map_or(0.0, Registration::slack_mm)
     }
+
+    /// Why nobody knows where on the part the areas are, unless he knows where the camera stood.
+    pub(super) fn open_place(&self) -> Option<HeldReason> {
+        let found = self.registration.as_ref()?;
+        let slides = found.sliding.iter().any(|s| s.kind == SlidingKind::Slides);
+        let is_anywhere = slides || !found.rivals.is_empty();
+        let slack_mm = (!is_anywhere).then(|| found.slack_mm());
+        slack_mm.is_none_or(|mm| mm > PLACED_MM).then_some(HeldReason::Place { slack_mm })
+    }
 }
+
+/// As far as a calibrated camera may be off, mm (P4 2.3): images that lie on the part to that are as good.
+const PLACED_MM: f64 = 1.6;
 
 /// So many points are enough to lay them on a part.
 const LAID_POINTS: usize = 60_000;

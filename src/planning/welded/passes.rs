@@ -1,10 +1,10 @@
 //! The passes of a weld: those that were ground, with what they took off, and those that are left by the last measurement
 //! (P4 4).
 
-use super::report_rows::{GroundPassReport, HeldReason, PassReport};
+use super::report_rows::{GroundPassReport, HeldReason};
 use super::{MeasuredWeld, WeldError};
 use crate::document::model::JobWeld;
-use crate::weld::passes::{GrindingRules, area_above_mm2, schedule};
+use crate::weld::passes::{GrindingPass, GrindingRules, area_above_mm2, schedule};
 
 /// Passes done and passes to come.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -12,17 +12,17 @@ pub struct WeldProgress {
     /// The passes that were ground.
     pub done: Vec<GroundPassReport>,
     /// The passes that are left, from the next one on.
-    pub left: Vec<PassReport>,
+    pub left: Vec<GrindingPass>,
     /// Why the next one is not given out; `None`: it is.
     pub held: Option<HeldReason>,
 }
 
 impl WeldProgress {
-    /// The passes of the bead of a job. Without a bead there are none.
+    /// The passes of the bead of a job. Without a bead there are none. `open`: why the place of all areas is open.
     ///
     /// # Errors
     /// There would be too many.
-    pub fn new(measured: &MeasuredWeld, weld: &JobWeld) -> Result<WeldProgress, WeldError> {
+    pub fn new(measured: &MeasuredWeld, weld: &JobWeld, open: Option<HeldReason>) -> Result<WeldProgress, WeldError> {
         let height_mm = measured.bead().map_or(0.0, |bead| bead.max_height_mm);
         let after = weld.history.iter().skip(1).map(|pass| pass.height_mm).chain([height_mm]);
         let ground = weld.history.iter().zip(after);
@@ -30,18 +30,15 @@ impl WeldProgress {
             .map(|(pass, left_mm)| GroundPassReport { before_mm: pass.height_mm, planned_mm: pass.planned_mm, left_mm })
             .collect();
         let below_mm = measured.below_mm;
+        let open = open.filter(|_| !weld.goes_on);
+        let Some(bead) = measured.bead() else { return Ok(WeldProgress { done, left: Vec::new(), held: open }) };
         let held = done.last().and_then(|last| off_plan(last, weld.removal_share / 100.0));
         let held = held.or((below_mm > weld.below_mm).then_some(HeldReason::Below { below_mm }));
-        let Some(bead) = measured.bead() else { return Ok(WeldProgress { done, left: Vec::new(), held: None }) };
+        let held = open.or(held.filter(|_| !weld.goes_on));
         let rules = GrindingRules { depth_per_pass_mm: weld.pass_depth_mm, residual_mm: weld.residual_mm };
         let planned = schedule(height_mm, &rules, |level_mm| area_above_mm2(&bead.sections, bead.length_mm, level_mm))
             .map_err(WeldError::Passes)?;
-        let left = planned.passes.iter().map(|p| PassReport {
-            level_mm: p.level_mm,
-            infeed_mm: p.infeed_mm,
-            area_mm2: p.area_mm2,
-        });
-        Ok(WeldProgress { done, left: left.collect(), held: held.filter(|_| !weld.goes_on) })
+        Ok(WeldProgress { done, left: planned.passes, held })
     }
 
     /// The heights that the passes of a program of so many grind down to, mm, falling.

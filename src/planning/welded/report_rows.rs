@@ -37,17 +37,6 @@ pub struct AreaTimes {
     pub lifts: [u32; 3],
 }
 
-/// One pass over a bead.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct PassReport {
-    /// The height that it grinds down to.
-    pub level_mm: f64,
-    /// What it takes off where the bead is highest.
-    pub infeed_mm: f64,
-    /// The area that it grinds: where the bead stands above that height, mm².
-    pub area_mm2: f64,
-}
-
 /// A pass that was ground.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct GroundPassReport {
@@ -74,6 +63,11 @@ pub enum HeldReason {
     Below {
         /// By how much.
         below_mm: f64,
+    },
+    /// Where the images lie on the part is open, and nobody knows where the camera stood: so no area is ground.
+    Place {
+        /// How far they may lie off; `None`: they slide, or lie as well elsewhere.
+        slack_mm: Option<f64>,
     },
 }
 

@@ -1,6 +1,6 @@
 //! What is known of a job's weld, as far as its stages have come.
 
-use super::{MeasuredWeld, ReadWeld, WeldOnPart};
+use super::{MeasuredWeld, ReadWeld, WeldOnPart, WeldReport};
 use crate::weld::masking::MaskedImage;
 use std::sync::Arc;
 
@@ -15,4 +15,6 @@ pub struct Welded {
     pub measured: Option<Arc<MeasuredWeld>>,
     /// On the part, with what is ground of it.
     pub ground: Option<Arc<WeldOnPart>>,
+    /// What is reported of it.
+    pub report: Option<Arc<WeldReport>>,
 }

@@ -1,15 +1,15 @@
 //! What is known of a weld and its grinding: what `weld --json` prints, and key `weld` of `report.json`.
 
-use super::report_rows::{AreaReport, AreaTimes, GroundPassReport, HeldReason, PassReport};
-use super::{GroundWeld, MeasuredWeld, UnmeasuredArea, WeldPart, WeldProgress, area_times};
+use super::report_rows::{AreaReport, AreaTimes, GroundPassReport, HeldReason};
+use super::{UnmeasuredArea, WeldOnPart, area_times};
 use crate::cell::hand_eye::HandEye;
-use crate::cell::hand_eye::file::CameraStand;
 use crate::document::Job;
 use crate::document::model::RoughnessReading;
 use crate::planning::scanned::RegistrationReport;
 use crate::progress::{Cancelled, Progress};
 use crate::scan::transform_file;
 use crate::weld::bead::{AreaKind, WeldSection};
+use crate::weld::passes::GrindingPass;
 use serde::Serialize;
 
 /// What the images say of a weld, and what its grinding comes to. Lengths mm, part frame.
@@ -33,7 +33,7 @@ pub struct WeldReport {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unmeasured: Vec<UnmeasuredArea>,
     /// The passes of the bead that are left.
-    pub schedule: Vec<PassReport>,
+    pub schedule: Vec<GrindingPass>,
     /// The passes that were ground, with what they took off.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<GroundPassReport>,
@@ -49,6 +49,10 @@ pub struct WeldReport {
     /// How well the skin lies on the part; `None`: the part is what the camera sees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub registration: Option<RegistrationReport>,
+    /// How much wider than their margins everything keeps clear, since the part may lie so far off where it was seen.
+    pub slack_mm: f64,
+    /// Whether it is known where the camera stood, so that the part stands in the cell where it was seen.
+    pub is_placed: bool,
     /// How well the poses of the camera's calibration fit; `None`: it was not calibrated here.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hand_eye: Option<HandEyeReport>,
@@ -73,17 +77,12 @@ pub struct RoughnessReport {
 }
 
 impl WeldReport {
-    /// What there is to report of a measured weld on its part.
+    /// What there is to report of a weld on its part.
     ///
     /// # Errors
     /// [`Cancelled`] when the work should end.
-    pub fn new(
-        measured: &MeasuredWeld,
-        (on, ground): (&WeldPart, &GroundWeld),
-        (passes, camera): (&WeldProgress, Option<&CameraStand>),
-        job: &Job,
-        progress: &Progress,
-    ) -> Result<WeldReport, Cancelled> {
+    pub fn new(weld: &WeldOnPart, job: &Job, progress: &Progress) -> Result<WeldReport, Cancelled> {
+        let WeldOnPart { measured, on, ground, passes, seen_from } = weld;
         let (part, surfaces) = &ground.bare;
         let times = area_times(measured, (part, surfaces), &ground.patches, job, progress)?;
         let areas = measured.areas.iter().zip(&ground.patches).map(|(area, pieces)| AreaReport {
@@ -104,7 +103,9 @@ impl WeldReport {
             held: passes.held,
             part_from_camera: transform_file::rows(&on.part_from_camera),
             registration: on.registration.as_ref().map(RegistrationReport::new),
-            hand_eye: camera.and_then(|camera| camera.calibration.as_ref()).map(HandEyeReport::of),
+            slack_mm: on.slack_mm(),
+            is_placed: weld.is_placed(job),
+            hand_eye: seen_from.as_ref().and_then(|seen| seen.calibration.as_ref()).map(HandEyeReport::of),
             roughness: RoughnessReport::of(&job.weld.roughness),
             ..WeldReport::default()
         };

@@ -81,7 +81,7 @@ impl WeldPanel {
         self.foot_after(point, STEPS)
     }
 
-    /// The same after so many steps.
+    /// The place that so many steps of the projection lead to.
     pub(super) fn foot_after(&self, point: &Point3<f64>, steps: usize) -> SkinFoot {
         let [mut x, mut y] = [point.x, point.y];
         for _ in 0..steps {

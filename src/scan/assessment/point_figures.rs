@@ -7,7 +7,7 @@ use super::super::cloud::Cloud;
 use super::super::neighbours::{Neighbour, Neighbours};
 use super::super::normals::plane_through;
 use crate::progress::{Cancelled, Progress};
-use crate::scan::SIGMA_OF_MEDIAN;
+use crate::scan::{SIGMA_OF_MEDIAN, upper_median};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -50,7 +50,7 @@ pub fn point_figures(
             Ok(look_at(cloud, neighbours, (i as u64 * count as u64 / looked as u64) as u32, near))
         })
         .collect::<Result<_, Cancelled>>()?;
-    let column = |k: usize| median(seen.iter().flatten().map(|s| s[k]).collect());
+    let column = |k: usize| upper_median(&mut seen.iter().flatten().map(|s| s[k]).collect::<Vec<_>>());
     let Some([distance, nearest, last_squared]) = column(0).zip(column(1)).zip(column(2)).map(|((a, b), c)| [a, b, c])
     else {
         return Ok(None);
@@ -75,11 +75,6 @@ fn look_at(cloud: &Cloud, neighbours: &Neighbours, index: u32, near: &mut Vec<Ne
     let plane = plane_through(near.iter().map(|n| cloud.point(n.index as usize)))?;
     let distance = (point - plane.middle).dot(&plane.normal).abs();
     Some([distance, f64::from(first.squared).sqrt(), f64::from(last.squared)])
-}
-
-fn median(mut all: Vec<f64>) -> Option<f64> {
-    let middle = all.len() / 2;
-    (!all.is_empty()).then(|| *all.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 //! with even weights up to the last point the level jumps from place to place as points come and go). A mean would tell the depth at the middle of the points instead,
 //! and thrown at random 40 points have theirs a tenth of their radius off.
 
-use crate::scan::{SIGMA_OF_MEDIAN, TUKEY};
+use crate::scan::{SIGMA_OF_MEDIAN, TUKEY, upper_median};
 
 /// Weights are settled to a per cent of the noise after this many rounds.
 const ROUNDS: usize = 3;
@@ -64,8 +64,7 @@ pub(super) fn level(samples: &[Sample], room: &mut Vec<f64>) -> f64 {
 fn median(room: &mut Vec<f64>, all: impl Iterator<Item = f64>) -> f64 {
     room.clear();
     room.extend(all);
-    let middle = room.len() / 2;
-    if room.is_empty() { 0.0 } else { *room.select_nth_unstable_by(middle, f64::total_cmp).1 }
+    upper_median(room).unwrap_or(0.0)
 }
 
 #[cfg(test)]

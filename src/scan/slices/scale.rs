@@ -5,6 +5,7 @@
 use crate::progress::{Cancelled, Progress};
 use crate::scan::cloud::Cloud;
 use crate::scan::neighbours::{Neighbour, Neighbours, Piece};
+use crate::scan::upper_median;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -104,6 +105,5 @@ fn scatter_mm(offs: &[(f64, f64)]) -> f64 {
 /// The middle one of some numbers; 0 without any.
 pub(super) fn median(all: impl Iterator<Item = f64>) -> f64 {
     let mut all: Vec<f64> = all.collect();
-    let middle = all.len() / 2;
-    if all.is_empty() { 0.0 } else { *all.select_nth_unstable_by(middle, f64::total_cmp).1 }
+    upper_median(&mut all).unwrap_or(0.0)
 }

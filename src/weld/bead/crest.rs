@@ -6,8 +6,7 @@
 //! shorter than the window is smoothed.
 
 use super::line::{Placed, between};
-use crate::scan::{SIGMA_OF_MEDIAN, TUKEY};
-use crate::weld::parent::median;
+use crate::scan::{SIGMA_OF_MEDIAN, TUKEY, upper_median};
 use nalgebra::{SMatrix, SVector};
 
 /// Half the length of the window either way, mm: the least, and the greatest along the bead.
@@ -98,7 +97,7 @@ fn quadric(rows: &[[f64; 3]]) -> Option<SVector<f64, 6>> {
         }
         found = left.cholesky()?.solve(&right);
         let offs: Vec<f64> = rows.iter().map(|r| (r[2] - found.dot(&terms(r))).abs()).collect();
-        let width = (TUKEY * SIGMA_OF_MEDIAN * median(offs.clone())?).max(1e-6);
+        let width = (TUKEY * SIGMA_OF_MEDIAN * upper_median(&mut offs.clone())?).max(1e-6);
         for (weight, off) in weights.iter_mut().zip(offs) {
             *weight = (1.0 - (off / width) * (off / width)).max(0.0).powi(2);
         }

@@ -3,6 +3,7 @@
 //! Stations stand at even steps of arc length on the surface. Beside the line is across its tangent, within the surface:
 //! to the left as one looks along it from outside.
 
+use crate::scan::upper_median;
 use crate::weld::parent::ParentSurface;
 use nalgebra::{Point3, Vector2, Vector3};
 use rayon::prelude::*;
@@ -100,8 +101,8 @@ pub(super) fn smoothed(values: &[Option<f64>], bell: f64) -> Vec<f64> {
     let mut all = parabolas(&kept, bell);
     for _ in 0..2 {
         let off = |(v, s): (&Option<f64>, &f64)| v.map(|v| (v - s).abs());
-        let offs: Vec<f64> = values.iter().zip(&all).filter_map(off).collect();
-        let Some(usual) = crate::weld::parent::median(offs) else { return Vec::new() };
+        let mut offs: Vec<f64> = values.iter().zip(&all).filter_map(off).collect();
+        let Some(usual) = upper_median(&mut offs) else { return Vec::new() };
         let limit = 4.0 * 1.5 * usual.max(1e-3);
         for ((kept, value), smooth) in kept.iter_mut().zip(values).zip(&all) {
             *kept = value.filter(|v| (v - smooth).abs() <= limit);

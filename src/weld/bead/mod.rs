@@ -18,7 +18,7 @@ mod rough;
 mod traced;
 
 pub use histogram::HeightHistogram;
-pub use measure::{kind_of_area, measure};
+pub use measure::SeenArea;
 pub use model::{AreaKind, BeadPoint, WeldBead, WeldBeadError, WeldSection};
 pub use remaining::{BeadState, RemainingBead};
 

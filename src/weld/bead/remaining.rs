@@ -5,7 +5,7 @@
 //! parent surface is fitted.
 
 use super::edges::{self, ALONG_MM};
-use super::feet::{feet, is_in};
+use super::feet::{bead_points, feet, is_in, local_feet};
 use super::histogram::HeightHistogram;
 use super::line::{Placed, between};
 use super::measure::OUTLINED_MARGIN_PX;
@@ -13,7 +13,7 @@ use super::model::{BeadPoint, WeldBead, WeldSection};
 use super::traced::HISTOGRAM_BIN_MM;
 use super::{crest, line};
 use crate::scan::SIGMA_OF_MEDIAN;
-use crate::weld::parent::{Foot, ParentError, ParentSurface};
+use crate::weld::parent::{ParentError, ParentSurface};
 use crate::weld::points::PixelPoint;
 use crate::weld::raster::Mask;
 use rayon::prelude::*;
@@ -40,23 +40,16 @@ pub struct RemainingBead {
     pub state: BeadState,
     /// The sections of before, with the heights of now.
     pub sections: Vec<WeldSection>,
+    /// Its points of now.
+    pub points: Vec<BeadPoint>,
     /// The surface they stand on, fitted anew.
     pub parent: ParentSurface,
 }
 
 impl WeldBead {
-    /// The bead as it is by now: its line, outline and widths of before, with the heights that are left. `points`: those
-    /// that these were measured in.
-    pub fn ground_down(&self, left: RemainingBead, points: &[PixelPoint]) -> WeldBead {
-        let near: Vec<&PixelPoint> = points.iter().filter(|p| is_in(&self.outline, p)).collect();
-        let feet = feet(&left.parent, &near).into_iter().filter(|(_, f)| f.is_converged);
-        let point = |(p, f): (&PixelPoint, Foot)| BeadPoint {
-            pixel: p.pixel,
-            point: p.point,
-            foot: f.foot,
-            height_mm: f.height_mm,
-        };
-        let points: Vec<BeadPoint> = feet.map(point).collect();
+    /// The bead as it is by now: its line, outline and widths of before, with the heights that are left.
+    pub fn ground_down(&self, left: RemainingBead) -> WeldBead {
+        let points = left.points;
         WeldBead {
             heights: HeightHistogram::new(points.iter().map(|p| p.height_mm), HISTOGRAM_BIN_MM),
             points,
@@ -75,14 +68,10 @@ impl WeldBead {
     pub fn remaining(&self, points: &[PixelPoint], covered: &Mask) -> Result<RemainingBead, ParentError> {
         let parent = ParentSurface::fit(points, &self.outline, covered, OUTLINED_MARGIN_PX)?;
         let near: Vec<&PixelPoint> = points.iter().filter(|p| is_in(&self.outline, p)).collect();
-        let feet: Vec<_> = feet(&parent, &near)
-            .into_iter()
-            .filter(|(_, f)| f.is_converged)
-            .map(|(_, f)| (f.foot, f.local, f.height_mm))
-            .collect();
+        let found = feet(&parent, &near);
         let local = |s: &WeldSection| parent.camera_from_local.inverse_transform_point(&s.centre).xy().coords;
         let stations = line::stations(&parent, &self.sections.iter().map(local).collect::<Vec<_>>());
-        let placed = line::placed(&stations, &feet, self.width_mm);
+        let placed = line::placed(&stations, &local_feet(&found), self.width_mm);
         let ends_mm = [0.0, stations.last().map_or(0.0, |s| s.along_mm)];
         let measured = |s: &WeldSection| {
             // Stations begin at the first section, ways along the bead at its end.
@@ -104,7 +93,8 @@ impl WeldBead {
             height_mm: all.iter().map(|(s, _)| s.height_mm).fold(0.0, f64::max),
             below_mm: all.iter().map(|(_, low)| -low).fold(0.0, f64::max),
         };
-        Ok(RemainingBead { state, sections: all.into_iter().map(|(s, _)| s).collect(), parent })
+        let points = bead_points(&found, &self.outline);
+        Ok(RemainingBead { state, sections: all.into_iter().map(|(s, _)| s).collect(), points, parent })
     }
 }
 

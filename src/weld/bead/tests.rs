@@ -1,12 +1,26 @@
 //! Beads on a scene by formula, over seeds and noises: outline, centre line, heights; and what is refused.
 
 use super::*;
+use crate::weld::camera::DepthCamera;
 use crate::weld::made_up::{self, Noise, Scene};
 use crate::weld::parent::ParentError;
 use crate::weld::passes::area_above_mm2;
 use crate::weld::pixel_distance::dilated;
 use crate::weld::points::PixelPoint;
 use crate::weld::raster::Mask;
+
+fn measure(
+    points: &[PixelPoint],
+    area: &Mask,
+    covered: &Mask,
+    camera: &DepthCamera,
+) -> Result<WeldBead, WeldBeadError> {
+    SeenArea::new(points, area, covered)?.measure(camera)
+}
+
+fn kind_of_area(points: &[PixelPoint], area: &Mask, covered: &Mask) -> Result<AreaKind, ParentError> {
+    SeenArea::new(points, area, covered).map(|seen| seen.kind())
+}
 
 struct Errors {
     iou: f64,

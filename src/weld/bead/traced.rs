@@ -1,14 +1,14 @@
 //! The centre line of a bead with its edges, found in rounds: from the line of the last one sections are taken across, and
 //! the middle of their edges is the next line.
 
-use super::feet::{Found, is_in};
+use super::feet::{Found, bead_points, local_feet};
 use super::histogram::HeightHistogram;
 use super::line::{Placed, Station};
-use super::model::{BeadPoint, WeldBead, WeldBeadError, WeldSection};
+use super::model::{WeldBead, WeldBeadError, WeldSection};
 use super::{crest, edges, line, outline};
+use crate::scan::upper_median;
 use crate::weld::camera::DepthCamera;
-use crate::weld::parent::{ParentSurface, median};
-use crate::weld::points::PixelPoint;
+use crate::weld::parent::ParentSurface;
 use crate::weld::raster::Mask;
 use nalgebra::{Point3, Vector2};
 use rayon::prelude::*;
@@ -52,8 +52,7 @@ impl Traced {
         way: &[Vector2<f64>],
         found: &[Found<'_>],
     ) -> Result<Traced, WeldBeadError> {
-        let feet: Vec<(Point3<f64>, [f64; 2], f64)> =
-            found.iter().filter(|(_, f)| f.is_converged).map(|(_, f)| (f.foot, f.local, f.height_mm)).collect();
+        let feet = local_feet(found);
         let mut way = smooth_way(&line::stations(surface, way), &[], ROUGH_BELL);
         let mut most_half_mm = AROUND_MM;
         for round in 0.. {
@@ -74,9 +73,9 @@ impl Traced {
                 [1.0, -1.0].map(|side| edges::flank_mm(&section, side, most_half_mm))
             };
             let halves: Vec<[Option<f64>; 2]> = on.par_iter().map(edges_of).collect();
-            let widths = halves.iter().filter_map(|[l, r]| Some((*l)? + (*r)?));
-            let width_mm = median(widths.clone().collect()).ok_or(WeldBeadError::NoEdges)?;
-            if 2 * widths.count() < halves.len() {
+            let mut widths: Vec<f64> = halves.iter().filter_map(|[l, r]| Some((*l)? + (*r)?)).collect();
+            let width_mm = upper_median(&mut widths).ok_or(WeldBeadError::NoEdges)?;
+            if 2 * widths.len() < halves.len() {
                 return Err(WeldBeadError::NoEdges);
             }
             most_half_mm = (0.8 * width_mm + 2.0).min(AROUND_MM);
@@ -125,17 +124,12 @@ impl Traced {
             }
         };
         let sections: Vec<WeldSection> = self.stations.par_iter().zip(&self.half_mm).map(measured).collect();
-        let is_inside = |p: &PixelPoint| is_in(&outline, p);
-        let points: Vec<BeadPoint> = found
-            .iter()
-            .filter(|(p, f)| f.is_converged && is_inside(p))
-            .map(|(p, f)| BeadPoint { pixel: p.pixel, point: p.point, foot: f.foot, height_mm: f.height_mm })
-            .collect();
+        let points = bead_points(found, &outline);
         WeldBead {
             parent,
             outline,
             length_mm: ends[1] - ends[0],
-            width_mm: median(sections.iter().map(|s| s.width_mm).collect()).unwrap_or(0.0),
+            width_mm: upper_median(&mut sections.iter().map(|s| s.width_mm).collect::<Vec<_>>()).unwrap_or(0.0),
             max_height_mm: sections.iter().map(|s| s.height_mm).fold(0.0, f64::max),
             heights: HeightHistogram::new(points.iter().map(|p| p.height_mm), HISTOGRAM_BIN_MM),
             sections,

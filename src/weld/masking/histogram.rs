@@ -22,7 +22,7 @@ const LEAST_SIGMA: f64 = 0.5;
 pub struct GreyHistogram {
     /// Pixels of each level, 0 to 255.
     pub counts: Vec<u32>,
-    /// The same, smoothed: what the mode is read from.
+    /// The counts smoothed: what the mode is read from.
     pub smoothed: Vec<f64>,
     /// The main mode: the level that most pixels have.
     pub mode: f64,

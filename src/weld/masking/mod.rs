@@ -32,7 +32,7 @@ use thiserror::Error;
 pub struct MaskedImage {
     /// Levels less those of the background, 100 for skin without a fault.
     pub evened: GreyImage,
-    /// The same without noise.
+    /// The evened levels without noise.
     pub smoothed: GreyImage,
     /// Its levels, and what was read from them.
     pub histogram: GreyHistogram,

@@ -4,6 +4,7 @@
 //! again, and planned anew. How fast and with what force a pass takes its depth is for others.
 
 use super::bead::WeldSection;
+use serde::Serialize;
 use thiserror::Error;
 
 /// More passes than this are none that anyone wants.
@@ -27,7 +28,7 @@ impl Default for GrindingRules {
 }
 
 /// A pass.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct GrindingPass {
     /// Height above the parent surface that the bead has after it, mm.
     pub level_mm: f64,

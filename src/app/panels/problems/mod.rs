@@ -1,6 +1,6 @@
 //! What people are to know of the plan, the worst first, and what would help; a click goes there.
 
-mod changed_scan;
+mod changed_file;
 mod cures;
 mod suggestions;
 mod why;
@@ -21,7 +21,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     if let Some(why) = context.planning_error() {
         theme::heading(ui, &say!(problems_heading));
         ui.label(RichText::new(why).color(theme::WRONG));
-        changed_scan::ui(ui, context, actions);
+        changed_file::ui(ui, context, actions);
         return;
     }
     let Some(of) = context.derived.plan() else {

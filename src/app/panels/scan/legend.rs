@@ -5,10 +5,11 @@ use super::super::super::command::Toggle;
 use super::super::super::context::Context;
 use super::super::super::scan_tool::ScanTool;
 use super::super::super::theme;
+use super::super::color_strip;
 use crate::picture::Legend;
 use crate::picture::palette::scan::LEFT_OUT;
 use crate::text::{language, legend_entry, legend_mark, say};
-use eframe::egui::{self, Align2, Area, Color32, FontId, Id, Rect, RichText, Role, Sense, WidgetInfo, pos2, vec2};
+use eframe::egui::{self, Align2, Area, FontId, Id, Rect, RichText, Role, Sense, WidgetInfo, pos2, vec2};
 
 const WIDTH: f32 = 200.0;
 /// A number on the scale needs so much; those that would run into each other are left out on both sides.
@@ -53,13 +54,7 @@ fn bar(ui: &mut egui::Ui, legend: &Legend) {
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, say!(scan_panel_scale)));
     let [low, high] = legend.range;
     let painter = ui.painter();
-    let steps = WIDTH as usize / 2;
-    for k in 0..steps {
-        let [from, to] = [k, k + 1].map(|k| rect.left() + rect.width() * k as f32 / steps as f32);
-        let [r, g, b] = legend.color((k as f64 + 0.5) / steps as f64);
-        let piece = Rect::from_min_max(pos2(from, rect.top()), pos2(to, rect.top() + 14.0));
-        painter.rect_filled(piece, 0, Color32::from_rgb(r, g, b));
-    }
+    color_strip::fill(painter, rect.with_max_y(rect.top() + 14.0), |share| legend.color(share));
     let from_middle = |mark: f64| rect.width() * (mark.abs() / (high - low)) as f32;
     let apart = if legend.marks.contains(&0.0) { NUMBER_WIDTH } else { 0.5 * NUMBER_WIDTH };
     for &mark in legend.marks.iter().filter(|mark| **mark == 0.0 || from_middle(**mark) >= apart) {

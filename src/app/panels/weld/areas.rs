@@ -16,7 +16,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         ui.label(RichText::new(say!(weld_panel_no_areas)).weak());
         return;
     };
-    let report = context.weld.ground().map(|g| &g.report);
+    let report = context.weld.report();
     let choice = &context.document.job().weld.areas;
     for (i, area) in measured.areas.iter().enumerate() {
         ui.horizontal(|ui| {

@@ -8,16 +8,16 @@ use super::super::super::theme;
 use super::super::numbers;
 use crate::document::WeldEdit;
 use crate::document::parameter::Group;
-use crate::planning::welded::{GroundPassReport, PassReport};
+use crate::planning::welded::GroundPassReport;
 use crate::text::{Sentence as _, fixed, id, say};
+use crate::weld::passes::GrindingPass;
 use eframe::egui::{self, Grid, RichText, ScrollArea};
 
 /// The table of passes is as high as this before it scrolls.
 const TABLE: f32 = 150.0;
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    let Some(ground) = context.weld.ground() else { return };
-    let report = &ground.report;
+    let Some(report) = context.weld.report() else { return };
     theme::heading(ui, &say!(weld_panel_passes));
     numbers::of_job(ui, Group::WeldPasses, context, actions);
     let goes_on = context.document.job().weld.goes_on;
@@ -49,7 +49,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
 }
 
 /// Each pass: the height that it grinds down to, what it takes off, and the area that is left above.
-fn schedule(ui: &mut egui::Ui, passes: &[PassReport]) {
+fn schedule(ui: &mut egui::Ui, passes: &[GrindingPass]) {
     ScrollArea::vertical().id_salt("passes of the weld").max_height(TABLE).show(ui, |ui| {
         let head = [say!(weld_panel_pass), say!(weld_panel_level), say!(weld_panel_infeed), say!(weld_panel_left_area)];
         table(

@@ -22,7 +22,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
             let point = readings.iter().map(|r| r.point).max().unwrap_or(0).saturating_add(1);
             readings.push(RoughnessReading { point, before_um: NEW_UM, after_um: None });
         }
-        if let Some(r) = context.weld.ground().and_then(|g| g.report.roughness.as_ref()) {
+        if let Some(r) = context.weld.report().and_then(|report| report.roughness.as_ref()) {
             let (before, after, fell) = (fixed(r.before_um, 2), fixed(r.after_um, 2), fixed(r.fell_percent, 1));
             ui.label(say!(weld_panel_roughness_mean, points = r.points, before, after, fell));
         }

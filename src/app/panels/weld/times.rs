@@ -24,13 +24,13 @@ const COMPARED: [(GrindingStrategy, [u8; 3]); 3] = [
 const BAR: f64 = 0.26;
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    let Some(ground) = context.weld.ground() else { return };
+    let Some(report) = context.weld.report() else { return };
     CollapsingHeader::new(say!(weld_panel_times)).id_salt("strategies compared").show(ui, |ui| {
-        if ground.report.times.is_empty() {
+        if report.times.is_empty() {
             ui.label(RichText::new(say!(weld_panel_no_times)).weak());
         }
         for kind in [AreaKind::Bead, AreaKind::Flat] {
-            let times: Vec<&AreaTimes> = ground.report.times.iter().filter(|t| t.area == kind).collect();
+            let times: Vec<&AreaTimes> = report.times.iter().filter(|t| t.area == kind).collect();
             if !times.is_empty() {
                 ui.label(RichText::new(title(kind)).strong());
                 table(ui, kind, &times);
