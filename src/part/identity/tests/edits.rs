@@ -35,11 +35,15 @@ proptest! {
         let new = shuffled(&old, seed);
         let found = sought_all(&old, &new, &edits);
         let (was, is) = (facet_sets(&loaded(&old, &AS_IS), &edits), facet_sets(&loaded(&new, &AS_IS), &found.edits));
-        // Facets of a cut that lie through each other are too much alike, and so is what is edited of them; but nothing is
-        // wrong.
-        let is_alike = |why: LostReason| why == LostReason::SeveralAlike;
-        prop_assert!(found.lost_edits.iter().all(|l| is_alike(l.why)), "{:?} of {edits:?}", found.lost_edits);
-        prop_assert!(found.lost.iter().all(|l| is_alike(l.why)), "{:?}", found.lost);
+        // Facets of a cut that lie through each other are too much alike, and so is what is edited of them, and what comes
+        // of an edit that is lost for that; but nothing is wrong.
+        let whys: Vec<LostReason> =
+            found.lost_edits.iter().map(|l| l.why).chain(found.lost.iter().map(|l| l.why)).collect();
+        let follows = found.lost_edits.iter().any(|l| l.why == LostReason::SeveralAlike);
+        let is_told = |why: &LostReason| {
+            *why == LostReason::SeveralAlike || follows && *why == LostReason::EditNotRepeated
+        };
+        prop_assert!(whys.iter().all(is_told), "{:?}, {:?} of {edits:?}", found.lost_edits, found.lost);
         prop_assume!(found.lost_edits.is_empty());
         for (old, new) in &found.numbers {
             prop_assert_eq!(&is[new], &was[old], "surface {}", old);
