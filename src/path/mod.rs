@@ -10,6 +10,7 @@ pub mod chord;
 pub mod coverage;
 pub mod dense;
 pub mod ends;
+mod key_index;
 pub mod live_facets;
 pub mod measured_lines;
 pub mod motion_time;

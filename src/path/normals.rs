@@ -5,6 +5,7 @@
 //! would tilt the beam by 45° at a cube's edge. Where a facet was cut into pieces, the normals are those that it had
 //! before.
 
+use super::key_index::KeyIndex;
 use crate::part::{Mesh, Surfaces, angle, surfaces::Surface, topology::FacetDefect};
 use crate::progress::{Cancelled, Progress};
 use nalgebra::Vector3;
@@ -12,7 +13,7 @@ use nalgebra::Vector3;
 /// Unit normals at the vertices of one surface.
 #[derive(Clone, Debug, Default)]
 pub struct VertexNormals {
-    vertices: Vec<u32>,
+    vertices: KeyIndex,
     normals: Vec<Vector3<f64>>,
 }
 
@@ -34,28 +35,25 @@ impl VertexNormals {
         surface: &Surface,
     ) -> Result<VertexNormals, Cancelled> {
         let live = || surface.facets.iter().map(|&f| f as usize).filter(|&f| mesh.defects[f] == FacetDefect::None);
-        let mut vertices: Vec<u32> = live().flat_map(|f| mesh.facets[f]).collect();
-        progress.check()?;
-        vertices.sort_unstable();
-        vertices.dedup();
-        progress.check()?;
-        let mut sums = vec![Vector3::zeros(); vertices.len()];
-        let mut last = sums.clone();
+        let mut vertices = KeyIndex::for_keys(surface.facets.len() / 2 + 3);
+        let mut sums: Vec<Vector3<f64>> = Vec::new();
+        let mut last: Vec<Vector3<f64>> = Vec::new();
         for (number, f) in live().enumerate() {
             progress.check_at(number)?;
             let corners = mesh.corners(f);
             for k in 0..3 {
                 let (here, next, before) = (corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]);
                 let weight = angle::between_deg(&(next - here), &(before - here));
-                if let Ok(i) = vertices.binary_search(&mesh.facets[f][k]) {
-                    sums[i] += surfaces.normals[f] * weight;
-                    last[i] = surfaces.normals[f];
-                }
+                let i = vertices.number(mesh.facets[f][k]);
+                sums.resize(vertices.len(), Vector3::zeros());
+                last.resize(vertices.len(), Vector3::zeros());
+                sums[i] += surfaces.normals[f] * weight;
+                last[i] = surfaces.normals[f];
             }
         }
         // Facets that cancel out (a blade's edge within one surface): any one of them.
         let mean = |s: Vector3<f64>, last| if s.norm() < 1e-6 { last } else { s.normalize() };
-        let normals = vertices.iter().zip(sums.into_iter().zip(last));
+        let normals = vertices.keys().iter().zip(sums.into_iter().zip(last));
         let normals = normals
             .map(|(&v, (s, l))| surfaces.vertex_normal(surface.number, v).unwrap_or_else(|| mean(s, l)))
             .collect();
@@ -68,17 +66,20 @@ impl VertexNormals {
     /// the normal it has within the surface that it belongs to (of several that of the first facet), so a beam
     /// that runs on over the rim turns over the first facet beyond it.
     pub fn extended(mesh: &Mesh, surfaces: &Surfaces, surface: &Surface, beyond: &[u32]) -> VertexNormals {
-        let VertexNormals { vertices, normals } = VertexNormals::new(mesh, surfaces, surface);
-        let mut all: Vec<(u32, Vector3<f64>)> = vertices.iter().copied().zip(normals).collect();
+        let VertexNormals { mut vertices, mut normals } = VertexNormals::new(mesh, surfaces, surface);
         let is_live = |f: usize| mesh.defects.get(f) == Some(&FacetDefect::None);
         let turned = surface.facets.iter().map(|&f| f as usize).find(|&f| is_live(f));
         let side = if turned.is_some_and(|f| surfaces.normals[f] != mesh.normals[f]) { -1.0 } else { 1.0 };
         for &f in beyond.iter().filter(|&&f| is_live(f as usize)) {
-            for v in mesh.facets[f as usize].into_iter().filter(|v| vertices.binary_search(v).is_err()) {
+            for v in mesh.facets[f as usize] {
+                // Of several normals of a vertex the first stays.
+                if vertices.number(v) < normals.len() {
+                    continue;
+                }
                 if let Some(normal) = surfaces.vertex_normal(surfaces.of_facet[f as usize], v) {
                     // On the worked side of its own surface; here that of the one whose lines run on.
                     let own = if surfaces.normals[f as usize] != mesh.normals[f as usize] { -1.0 } else { 1.0 };
-                    all.push((v, normal * (own * side)));
+                    normals.push(normal * (own * side));
                     continue;
                 }
                 let mut sum = Vector3::zeros();
@@ -88,19 +89,15 @@ impl VertexNormals {
                     let p = [0, 1, 2].map(|i| mesh.vertices[mesh.facets[g][(k + i) % 3] as usize]);
                     sum += mesh.normals[g] * angle::between_deg(&(p[1] - p[0]), &(p[2] - p[0]));
                 }
-                all.push((v, angle::unit(sum).unwrap_or(mesh.normals[f as usize]) * side));
+                normals.push(angle::unit(sum).unwrap_or(mesh.normals[f as usize]) * side);
             }
         }
-        // Stable: of several normals of a vertex the first stays.
-        all.sort_by_key(|a| a.0);
-        all.dedup_by_key(|a| a.0);
-        let (vertices, normals) = all.into_iter().unzip();
         VertexNormals { vertices, normals }
     }
 
     /// Normal at a vertex of the mesh; zero if it is not on the surface.
     pub fn at(&self, vertex: u32) -> Vector3<f64> {
-        self.vertices.binary_search(&vertex).map_or(Vector3::zeros(), |i| self.normals[i])
+        self.vertices.get(vertex).map_or(Vector3::zeros(), |i| self.normals[i])
     }
 }
 

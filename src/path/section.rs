@@ -4,6 +4,7 @@
 //! the winding takes upwards and one downwards. Entering by the first and leaving by the second, the
 //! points come out in order, and every line runs in the sense of (facet normal × plane normal).
 
+use super::key_index::KeyIndex;
 use super::normals::{VertexNormals, between};
 use crate::part::{Mesh, surfaces::Surface, topology::FacetDefect};
 use crate::progress::{Cancelled, Progress};
@@ -119,31 +120,31 @@ pub fn sections_under(
     merge_mm: f64,
 ) -> Result<Vec<TransversalLine>, Cancelled> {
     let height = |v: u32| mesh.vertices[v as usize].coords.dot(normal);
-    let mut per_plane: Vec<Vec<u32>> = vec![Vec::new(); heights_mm.len()];
+    let mut crossed: Vec<CrossedFacet> = Vec::new();
     let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
     let live = surface.facets.iter().filter(|&&f| mesh.defects[f as usize] == FacetDefect::None);
-    for (number, &f) in live.enumerate() {
+    for (number, &facet) in live.enumerate() {
         progress.check_at(number)?;
-        let h = mesh.facets[f as usize].map(height);
+        let h = mesh.facets[facet as usize].map(height);
         let (lo, hi) = (h[0].min(h[1]).min(h[2]), h[0].max(h[1]).max(h[2]));
         (lowest, highest) = (lowest.min(lo), highest.max(hi));
         // Crossed where lo < height <= hi.
         let from = heights_mm.partition_point(|&c| c <= lo);
-        for facets in per_plane[from..].iter_mut().zip(&heights_mm[from..]).take_while(|(_, c)| **c <= hi).map(|p| p.0)
-        {
-            facets.push(f);
+        let to = from + heights_mm[from..].iter().take_while(|c| **c <= hi).count();
+        if from < to {
+            crossed.push(CrossedFacet { facet, heights_mm: h, planes: [from as u32, to as u32] });
         }
     }
     if highest - lowest < merge_mm {
         return Ok(Vec::new());
     }
+    let per_plane = PerPlane::new(&crossed, heights_mm.len());
     let cut = PlaneCut { mesh, vertex_normals, normal };
-    let lines = per_plane
-        .par_iter()
-        .enumerate()
+    let lines = (0..heights_mm.len())
+        .into_par_iter()
         .take_any_while(|_| progress.goes_on())
-        .flat_map_iter(|(plane, facets)| {
-            let lines = cut.lines(facets, heights_mm[plane]);
+        .flat_map_iter(|plane| {
+            let lines = cut.lines(per_plane.of(plane).iter().map(|&at| &crossed[at as usize]), heights_mm[plane]);
             lines.into_iter().filter_map(move |(points, closed)| {
                 let (points, closed) = merged(points, closed, merge_mm)?;
                 Some(TransversalLine { plane, points, closed, dark: Vec::new() })
@@ -154,6 +155,43 @@ pub fn sections_under(
     progress.check().map(|()| lines)
 }
 
+/// A facet that planes cross.
+struct CrossedFacet {
+    facet: u32,
+    /// Heights of its corners along the planes' normal.
+    heights_mm: [f64; 3],
+    /// The first plane that crosses it, and the one behind the last.
+    planes: [u32; 2],
+}
+
+/// For each plane the places of the facets that it crosses, in their order.
+struct PerPlane {
+    start: Vec<u32>,
+    list: Vec<u32>,
+}
+
+impl PerPlane {
+    fn new(crossed: &[CrossedFacet], planes: usize) -> PerPlane {
+        let of = |c: &CrossedFacet| c.planes[0] as usize..c.planes[1] as usize;
+        let mut start = vec![0u32; planes + 1];
+        crossed.iter().flat_map(of).for_each(|plane| start[plane + 1] += 1);
+        for plane in 0..planes {
+            start[plane + 1] += start[plane];
+        }
+        let mut list = vec![0u32; start[planes] as usize];
+        let mut fill = start.clone();
+        for (at, plane) in crossed.iter().enumerate().flat_map(|(at, c)| of(c).map(move |plane| (at, plane))) {
+            list[fill[plane] as usize] = at as u32;
+            fill[plane] += 1;
+        }
+        PerPlane { start, list }
+    }
+
+    fn of(&self, plane: usize) -> &[u32] {
+        &self.list[self.start[plane] as usize..self.start[plane + 1] as usize]
+    }
+}
+
 struct PlaneCut<'a> {
     mesh: &'a Mesh,
     vertex_normals: &'a VertexNormals,
@@ -162,19 +200,18 @@ struct PlaneCut<'a> {
 
 impl PlaneCut<'_> {
     /// Lines of the crossed facets of one plane.
-    fn lines(&self, facets: &[u32], height: f64) -> Vec<(Vec<SectionPoint>, bool)> {
-        let gates: Vec<(u32, u32)> = facets.iter().filter_map(|&f| self.gates(f, height)).collect();
+    fn lines<'f>(&self, facets: impl Iterator<Item = &'f CrossedFacet>, height: f64) -> Vec<(Vec<SectionPoint>, bool)> {
+        let gates: Vec<(u32, u32)> = facets.filter_map(|f| self.gates(f, height)).collect();
         let line = |(edges, closed): (Vec<u32>, bool)| (edges.iter().map(|&e| self.point(e, height)).collect(), closed);
         chained(&gates).into_iter().map(line).collect()
     }
 
-    fn gates(&self, facet: u32, height: f64) -> Option<(u32, u32)> {
-        let corners = self.mesh.facets[facet as usize];
-        let above = corners.map(|v| self.mesh.vertices[v as usize].coords.dot(self.normal) >= height);
+    fn gates(&self, of: &CrossedFacet, height: f64) -> Option<(u32, u32)> {
+        let above = of.heights_mm.map(|h| h >= height);
         let edge = |from: bool| {
             (0..3)
                 .find(|&k| above[k] == from && above[(k + 1) % 3] != from)
-                .map(|k| self.mesh.facet_edges[facet as usize][k])
+                .map(|k| self.mesh.facet_edges[of.facet as usize][k])
         };
         Some((edge(false)?, edge(true)?))
     }
@@ -200,22 +237,8 @@ impl PlaneCut<'_> {
 /// Lines through facets, each entered by one edge (upwards) and left by another (downwards): the edges
 /// in order, and whether they close.
 pub(super) fn chained(gates: &[(u32, u32)]) -> Vec<(Vec<u32>, bool)> {
-    let mut by_entry: Vec<(u32, u32)> = gates.iter().enumerate().map(|(i, g)| (g.0, i as u32)).collect();
-    by_entry.par_sort_unstable();
-    let mut exits: Vec<u32> = gates.iter().map(|g| g.1).collect();
-    exits.par_sort_unstable();
-    let once = |sorted: &[u32], e: u32| {
-        let at = sorted.partition_point(|&x| x < e);
-        sorted.get(at) == Some(&e) && sorted.get(at + 1) != Some(&e)
-    };
-    // Over an edge with more than two facets of the surface no line is led.
-    let next = |slot: usize| -> Option<usize> {
-        let e = gates[slot].1;
-        let at = by_entry.partition_point(|x| x.0 < e);
-        let unique = by_entry.get(at)?.0 == e && by_entry.get(at + 1).is_none_or(|x| x.0 != e);
-        (unique && once(&exits, e)).then(|| by_entry[at].1 as usize)
-    };
-    let successor: Vec<Option<usize>> = (0..gates.len()).into_par_iter().with_min_len(4096).map(next).collect();
+    let crossings = Crossings::of(gates);
+    let successor: Vec<Option<usize>> = (0..gates.len()).map(|slot| crossings.next(slot)).collect();
     let mut has_predecessor = vec![false; gates.len()];
     for s in successor.iter().flatten() {
         has_predecessor[*s] = true;
@@ -242,21 +265,55 @@ pub(super) fn chained(gates: &[(u32, u32)]) -> Vec<(Vec<u32>, bool)> {
     lines
 }
 
+/// How lines cross edges.
+struct Crossings {
+    /// The gate that is entered by each edge, or [`NOBODY`] or [`SEVERAL`].
+    entered: Vec<u32>,
+    /// Whether more than one is left by it.
+    is_left_twice: Vec<bool>,
+    /// Which of these edges each gate is left by.
+    exits: Vec<u32>,
+}
+
+const NOBODY: u32 = u32::MAX;
+const SEVERAL: u32 = u32::MAX - 1;
+
+impl Crossings {
+    fn of(gates: &[(u32, u32)]) -> Crossings {
+        let mut edges = KeyIndex::for_keys(gates.len() + 1);
+        let (mut entered, mut leavers) = (Vec::with_capacity(gates.len() + 1), Vec::with_capacity(gates.len() + 1));
+        let mut exits = Vec::with_capacity(gates.len());
+        for (slot, (entry, exit)) in gates.iter().enumerate() {
+            let [entry, exit] = [entry, exit].map(|e| edges.number(*e));
+            entered.resize(edges.len(), NOBODY);
+            leavers.resize(edges.len(), 0u8);
+            entered[entry] = if entered[entry] == NOBODY { slot as u32 } else { SEVERAL };
+            leavers[exit] = leavers[exit].saturating_add(1);
+            exits.push(exit as u32);
+        }
+        Crossings { entered, is_left_twice: leavers.into_iter().map(|n| n > 1).collect(), exits }
+    }
+
+    /// The gate behind one. Over an edge with more than two facets of the surface no line is led.
+    fn next(&self, slot: usize) -> Option<usize> {
+        let edge = self.exits[slot] as usize;
+        let next = self.entered[edge];
+        (next < SEVERAL && !self.is_left_twice[edge]).then_some(next as usize)
+    }
+}
+
 /// Drops points closer than `merge_mm` to the one before; `None` if no line is left.
 pub(super) fn merged(points: Vec<SectionPoint>, closed: bool, merge_mm: f64) -> Option<(Vec<SectionPoint>, bool)> {
-    let mut kept: Vec<SectionPoint> = Vec::with_capacity(points.len());
-    for q in &points {
-        if kept.last().is_none_or(|k| (k.p - q.p).norm() >= merge_mm) {
-            kept.push(*q);
-        }
-    }
+    let end = points.last().copied();
+    let mut kept = points;
+    kept.dedup_by(|q, before| (before.p - q.p).norm() < merge_mm);
     if closed {
         while kept.len() > 1 && (kept[0].p - kept[kept.len() - 1].p).norm() < merge_mm {
             kept.pop();
         }
-    } else if let (Some(last), Some(end)) = (kept.last_mut(), points.last()) {
+    } else if let (Some(last), Some(end)) = (kept.last_mut(), end) {
         // The rim itself stays the end of an open line.
-        *last = *end;
+        *last = end;
     }
     let length: f64 = kept.windows(2).map(|w| (w[1].p - w[0].p).norm()).sum();
     if closed && kept.len() == 2 {
