@@ -100,7 +100,7 @@ fn proven(c: &mut Criterion) {
     moves.truncate(POSES);
     group.bench_function(format!("proof, {} moves/100k", moves.len()), |b| {
         let prover = prover(&part, &setup, &job);
-        b.iter(|| prover.prove(&moves).map(|proof| proof.proven));
+        b.iter(|| prover.prove(moves.clone()).map(|proof| proof.proven));
     });
     let few = |job: &Job| {
         let mut job = job.clone();

@@ -1,31 +1,38 @@
 #!/usr/bin/env python3
-"""The stages of `cargo bench`, done by trimesh (numpy, scipy, embreex) on the same helical gears.
+"""The stages of `cargo bench --bench stages` beside the quickest programs known that do the same, on the same helical gears.
 
-    pip install numpy scipy trimesh embreex shapely networkx
-    benches/peers.py [--clearbeam target/release/clearbeam] [10k 100k 1M]
+    pip install numpy meshlib manifold3d trimesh embreex
+    cargo bench --bench stages --no-run        # prints where the program of the bench is
+    benches/peers.py target/release/deps/stages-HASH [--clearbeam target/release/clearbeam] [10k 100k 1M]
 
-Prints medians of five, milliseconds. With --clearbeam, `inspect` and `plan` of that program are
-timed as well, from start to end of the process. Compare with `cargo bench` of the same sitting.
+Each stage is timed in turns: ours, each peer, ours, each peer, in fresh processes of the bench and in this one; of each the
+median. Prints a table: milliseconds of ours and of the quickest peer, and ours / peer: below 1 ours is quicker. With
+--clearbeam, whole commands are timed as well, from start to end of the process.
 """
 
 import argparse
+import math
 import os
+import re
+import statistics
 import subprocess
 import sys
 import tempfile
 import time
 
+import meshlib.mrmeshnumpy as mn
+import meshlib.mrmeshpy as mm
 import numpy as np
-import trimesh
-from trimesh.ray.ray_pyembree import RayMeshIntersector
 
 SIZES = {"10k": (14, 4, 8, 3), "100k": (40, 8, 15, 4), "1M": (40, 24, 54, 11)}
 WIDTH, BORE, ROOT, TIP, TURN = 40.0, 12.0, 40.0, 46.0, np.radians(25.0)
 # Corners of a tooth: share of the pitch, radius.
 TOOTH = [(0.0, ROOT), (0.22, ROOT), (0.40, TIP), (0.66, TIP), (0.84, ROOT), (1.0, ROOT)]
 RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
-ANGLE = np.radians(20.0)
+ANGLE = math.radians(20.0)
 BEAMS = 100_000
+TURNS = 3
+UNITS_MS = {"ns": 1e-6, "µs": 1e-3, "us": 1e-3, "ms": 1.0, "s": 1e3}
 
 
 def helical_gear(teeth, k, layers, rings):
@@ -70,116 +77,127 @@ def write_stl(path, triangles):
         records.tofile(file)
 
 
-def surface_beams(mesh):
+def surface_beams(triangles):
     """Points spread evenly over the area, with the normal of their facet."""
-    areas = np.cumsum(mesh.area_faces)
-    facet = np.searchsorted(areas, (np.arange(BEAMS) + 0.5) / BEAMS * areas[-1])
+    a, b, c = triangles.astype(np.float64).transpose(1, 0, 2)
+    cross = np.cross(b - a, c - a)
+    size = np.linalg.norm(cross, axis=1)
+    facet = np.searchsorted(np.cumsum(size), (np.arange(BEAMS) + 0.5) / BEAMS * size.sum())
     i = np.arange(1, BEAMS + 1)
     u, v = np.sqrt(i * 0.7548776662466927 % 1.0)[:, None], (i * 0.5698402909980532 % 1.0)[:, None]
-    a, b, c = mesh.triangles[facet].transpose(1, 0, 2)
-    normal = mesh.face_normals[facet]
+    a, b, c, normal = a[facet], b[facet], c[facet], (cross / size[:, None])[facet]
     # Off the surface, or its own facet would be hit.
     return a + ((b - a) * (1 - v) + (c - a) * v) * u + normal * 1e-3, normal
 
 
-def median_ms(work, repeats=5):
-    times = []
-    for _ in range(repeats):
-        start = time.perf_counter()
-        result = work()
-        times.append((time.perf_counter() - start) * 1e3)
-    return sorted(times)[len(times) // 2], result
-
-
-def stages(path):
-    """Name and work of every stage, and what to say of its result."""
-    loaded = trimesh.load(path, process=True)
-    vertices, faces = np.array(loaded.vertices), np.array(loaded.faces)
-
-    def fresh():
-        # trimesh keeps what it has computed: every repeat begins with a new mesh.
-        return trimesh.Trimesh(vertices, faces, process=False, validate=False)
+def peers(path, triangles):
+    """Of each stage of the bench what the peers do: name and work."""
+    whole = mm.loadMesh(path)
+    faces, vertices = mn.getNumpyFaces(whole.topology).astype(np.int32), mn.getNumpyVerts(whole).astype(np.float32)
 
     def topology():
-        mesh = fresh()
-        return len(mesh.face_adjacency), len(mesh.edges_unique)
+        return mn.meshFromFacesVerts(faces, vertices)
 
     def surfaces():
-        mesh = fresh()
-        smooth = mesh.face_adjacency[mesh.face_adjacency_angles < ANGLE]
-        return trimesh.graph.connected_component_labels(smooth, node_count=len(faces))
+        creases = whole.findCreaseEdges(ANGLE)
+        return mm.MeshComponents.getAllComponentsMap(mm.MeshPart(whole), mm.MeshComponents.FaceIncidence.PerEdge, creases)
 
-    known = fresh()
-    known.face_adjacency, known.face_adjacency_angles
+    whole.getAABBTree()
+    part, (low, high) = mm.MeshPart(whole), (float(vertices[:, 2].min()), float(vertices[:, 2].max()))
 
-    def recut():
-        smooth = known.face_adjacency[known.face_adjacency_angles < ANGLE]
-        return trimesh.graph.connected_component_labels(smooth, node_count=len(faces))
+    def heights(count):
+        return [float(z) for z in low + (np.arange(count) + 0.5617) / count * (high - low)]
 
-    low, high = vertices[:, 2].min(), vertices[:, 2].max()
+    def sections(count):
+        return [mm.extractXYPlaneSections(part, z) for z in heights(count)]
 
-    def sliced(count):
-        heights = (np.arange(count) + 0.5617) / count * (high - low)
-        return fresh().section_multiplane([0, 0, low], [0, 0, 1], heights)
+    yield "read, weld, topology", [("MeshLib", lambda: mm.loadMesh(path))]
+    yield "topology", [("MeshLib", topology)]
+    yield "dihedral angles, merge tree", [("MeshLib", surfaces)]
+    yield "recut, tree alone", [("MeshLib", surfaces)]
+    yield "recut, all surfaces", [("MeshLib", surfaces)]
+    slicers = [("MeshLib", lambda: sections(100))]
+    try:
+        import manifold3d
 
-    def segments():
-        heights = (np.arange(100) + 0.5617) / 100 * (high - low)
-        return trimesh.intersections.mesh_multiplane(fresh(), [0, 0, low], [0, 0, 1], heights)[0]
+        solid = manifold3d.Manifold(manifold3d.Mesh(vert_properties=vertices, tri_verts=faces.astype(np.uint32)))
+        if solid.num_tri() > 0:
+            slicers.append(("manifold3d", lambda: [solid.slice(z).to_polygons() for z in heights(100)]))
+    except ImportError:
+        pass
+    yield "slicing, 100 planes", slicers
+    if len(faces) in range(50_000, 500_000):
+        yield "slicing, 500 planes", [("MeshLib", lambda: sections(500))]
+    import trimesh
+    from trimesh.ray.ray_pyembree import RayMeshIntersector
+
+    mesh = trimesh.Trimesh(vertices, faces, process=False, validate=False)
+    origins, normals = surface_beams(triangles)
 
     def structure():
-        # The structure is built at the first ray.
-        RayMeshIntersector(fresh()).intersects_any(np.zeros((1, 3)), np.array([[0.0, 0.0, 1.0]]))
+        # It is built at the first ray.
+        rays = RayMeshIntersector(mesh)
+        rays.intersects_any(origins[:1], normals[:1])
+        return rays
 
-    rays = RayMeshIntersector(known)
-    origins, normals = surface_beams(known)
-    rays.intersects_any(origins[:1], normals[:1])
+    rays = structure()
+    yield "ray structure", [("Embree", structure)]
+    yield "interference, 100k beams", [("Embree", lambda: rays.intersects_any(origins, normals))]
 
-    def lines(sections):
-        return f"{sum(len(s.paths) for s in sections if s is not None)} lines"
 
-    yield "load, weld", lambda: trimesh.load(path, process=True), lambda m: f"{len(m.vertices)} vertices"
-    yield "topology", topology, lambda n: f"{n[0]} pairs, {n[1]} edges"
-    yield "topology, surfaces at 20°", surfaces, lambda s: f"{s.max() + 1} surfaces"
-    yield "recut, adjacency known", recut, lambda s: f"{s.max() + 1} surfaces"
-    yield "slicing, 100 planes", lambda: sliced(100), lines
-    yield "segments alone, 100 planes", segments, lambda s: f"{sum(map(len, s))} segments, in no order"
-    if len(faces) in range(50_000, 500_000):
-        yield "slicing, 500 planes", lambda: sliced(500), lines
-    yield "ray structure", structure, lambda _: "embreex"
-    yield "interference, 100k rays", lambda: rays.intersects_any(origins, normals), lambda h: f"{h.sum()} hit, embreex"
+def timed_ms(work):
+    start = time.perf_counter()
+    work()
+    return (time.perf_counter() - start) * 1e3
+
+
+def ours_ms(bench, stage, size):
+    """Criterion's estimate of one stage, in a process of its own."""
+    name = f"stages/{stage}/{size}"
+    told = subprocess.run([bench, "--bench", "--noplot", "--exact", name], capture_output=True, text=True).stdout
+    found = re.search(r"time:\s+\[\S+ \S+ (\S+) (\S+) ", told)
+    if not found:
+        sys.exit(f"the bench has no stage {name}")
+    return float(found[1]) * UNITS_MS[found[2]]
 
 
 def program(clearbeam, path, folder):
     """The whole program, files included."""
-
-    def run(*arguments):
-        return subprocess.run([clearbeam, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
-
-    plan = ("plan", path, "--out", os.path.join(folder, "plan"), "--direction", "auto", "--spacing", "4")
-    yield "clearbeam inspect", lambda: run("inspect", path), lambda status: f"status {status}"
-    yield "clearbeam plan", lambda: run(*plan), lambda status: f"status {status}"
+    plan = ["plan", path, "--surfaces", "all", "--overwrite", "--out", os.path.join(folder, "plan"), "--spacing"]
+    yield "clearbeam inspect", ["inspect", path]
+    yield "clearbeam plan, 4 mm", [*plan, "4"]
+    yield "clearbeam plan, 0.5 mm", [*plan, "0.5"]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--clearbeam", help="the program; without it only the peers are timed")
+    parser.add_argument("bench", help="the program of the bench")
+    parser.add_argument("--clearbeam", help="the program; without it no whole command is timed")
     parser.add_argument("sizes", nargs="*", help="10k, 100k, 1M; all by default")
     arguments = parser.parse_args()
     unknown = [s for s in arguments.sizes if s not in SIZES]
     if unknown:
         sys.exit(f"{unknown[0]}: give 10k, 100k or 1M")
-    print(f"trimesh {trimesh.__version__}, numpy {np.__version__}, median of 5", flush=True)
+    print("| stage | facets | clearbeam | peer | clearbeam / peer |\n|---|---|---|---|---|", flush=True)
     for size in arguments.sizes or SIZES:
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, f"gear_{size}.stl")
             triangles = helical_gear(*SIZES[size])
             write_stl(path, triangles)
-            work = list(stages(path))
-            if arguments.clearbeam:
-                work += program(arguments.clearbeam, path, folder)
-            for name, stage, said in work:
-                ms, result = median_ms(stage)
-                print(f"{size:>5} {len(triangles):>7}  {name:<26} {ms:>10.2f} ms  {said(result)}", flush=True)
+            for stage, works in peers(path, triangles):
+                ours, theirs = [], {name: [] for name, _ in works}
+                for _ in range(TURNS):
+                    ours.append(ours_ms(arguments.bench, stage, size))
+                    for name, work in works:
+                        theirs[name].append(timed_ms(work))
+                own = statistics.median(ours)
+                name, best = min(((n, statistics.median(t)) for n, t in theirs.items()), key=lambda pair: pair[1])
+                print(f"| {stage} | {size} | {own:.3g} | {best:.3g} {name} | {own / best:.2f} |", flush=True)
+            for name, words in program(arguments.clearbeam, path, folder) if arguments.clearbeam else ():
+                command = [arguments.clearbeam, *words]
+                quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+                ms = statistics.median(timed_ms(lambda: subprocess.run(command, **quiet)) for _ in range(TURNS))
+                print(f"| {name} | {size} | {ms:.0f} | – | |", flush=True)
 
 
 if __name__ == "__main__":

@@ -46,3 +46,25 @@ fn the_readme_s_recipe_is_one() {
     assert_eq!(job.check_recipes(), Ok(()));
     assert_eq!(job.of_surface(clearbeam::part::SurfaceId(4)).layers.spacing_mm, 0.3);
 }
+
+/// Stages of the table are those of the bench: a figure of something that is no longer timed is none.
+#[test]
+fn the_stages_of_the_readme_s_table_are_those_of_the_bench() {
+    let source = include_str!("../benches/stages.rs");
+    let named = source.split("bench_function(format!(\"").skip(1).filter_map(|rest| rest.split('"').next());
+    let names: Vec<&str> = named.filter_map(|name| name.strip_suffix("/{size}")).collect();
+    // A number that is filled in may be any.
+    let is_of = |name: &str, stage: &str| {
+        let (begin, rest) = name.split_once('{').unwrap_or((name, ""));
+        let end = rest.split_once('}').map_or("", |(_, end)| end);
+        stage == name || !rest.is_empty() && stage.starts_with(begin) && stage.ends_with(end)
+    };
+    let section = include_str!("../README.md").split("\n## How fast").nth(1).expect("the section");
+    let rows = section.split("|---|---|---|---|---|\n").nth(1).expect("a table").lines();
+    let stages: Vec<&str> = rows.map_while(|row| row.strip_prefix("| ")?.split(" | ").next()).collect();
+    let timed = stages.iter().filter(|stage| !stage.starts_with("clearbeam "));
+    assert!(timed.clone().count() > 10, "{stages:?}");
+    for stage in timed {
+        assert!(names.iter().any(|name| is_of(name, stage)), "{stage} is none of {names:?}");
+    }
+}

@@ -52,7 +52,7 @@ impl Bvh {
         let bounded = |&facet: &u32| FacetBox { bounds: Aabb::of(&mesh.corners(facet as usize)), facet };
         let mut items: Vec<FacetBox> = facet.par_iter().map(bounded).collect();
         progress.check()?;
-        let nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, 0, progress) };
+        let nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, (0, 0), progress) };
         progress.check()?;
         let facet: Vec<u32> = items.iter().map(|i| i.facet).collect();
         let corners = facet.iter().map(|&f| mesh.corners(f as usize)).collect();
@@ -263,6 +263,49 @@ mod tests {
             let found = Bvh::new(&mesh).nearest_hit(&o, &d, 0.0, f64::INFINITY);
             prop_assert_eq!(found.map(|h| (h.t_mm, h.facet)), expected);
         }
+    }
+
+    proptest! {
+        /// From near and far, and along the axes, where a slab is never left.
+        #[test]
+        fn a_wide_ray_visits_all_that_it_touches(numbers in prop::collection::vec(-10.0..10.0f64, 9..900),
+                                                 o in prop::array::uniform3(-12.0..12.0f64), d in prop::array::uniform3(-1.0..1.0f64),
+                                                 axis in prop::option::of(0usize..3), away in prop_oneof![Just(0.0), 0.0..1e6],
+                                                 radius in prop_oneof![Just(0.0), 0.0..2.0f64]) {
+            let mesh = soup(&numbers);
+            let d = axis.map_or(Vector3::from(d), |k| Vector3::ith(k, if d[k] < 0.0 { -1.0 } else { 1.0 }));
+            prop_assume!(d.norm() > 0.1);
+            let d = d.normalize();
+            let o = Point3::from(Vector3::from(o)) - d * away;
+            let bvh = Bvh::new(&mesh);
+            let mut visited = std::collections::BTreeSet::new();
+            bvh.visit_ray(&o, &d, 0.0, f64::INFINITY, radius, |facet, _| {
+                visited.insert(facet);
+                f64::INFINITY
+            });
+            for f in (0..mesh.facets.len()).filter(|&f| mesh.defects[f] == FacetDefect::None) {
+                let near = crate::part::distance::ray_triangle(&o, &d, 0.0, &mesh.corners(f)) <= radius;
+                prop_assert!(!near || visited.contains(&(f as u32)), "facet {}", f);
+            }
+        }
+    }
+
+    /// Each facet half as far out as the one before: the heuristic alone would split them off one by one.
+    #[test]
+    fn a_tree_is_never_deeper_than_its_queries_have_room_for() {
+        let facet = |i: i32| {
+            let x = 2f64.powi(120 - i);
+            [x, 0.0, 0.0, x, x, 0.0, x, 0.0, x]
+        };
+        let numbers: Vec<f64> = (0..250).flat_map(facet).collect();
+        let bvh = Bvh::new(&soup(&numbers));
+        let mut met = 0;
+        bvh.visit_ray(&Point3::new(-1.0, 0.0, 0.0), &Vector3::x(), 0.0, f64::INFINITY, 0.0, |_, _| {
+            met += 1;
+            f64::INFINITY
+        });
+        assert!(met > 0);
+        bvh.visit_near(&Point3::origin(), 1e30, |_, _| met += 1);
     }
 
     #[test]

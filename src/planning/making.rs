@@ -67,7 +67,7 @@ pub fn plan(
             Err(UnprovenProgram::Empty | UnprovenProgram::Unreadable(_)) => {
                 let lit = plan.steps.lit_moves(&setup.mounted());
                 let prover = prover(part, setup, job).on_layers(&plan.grown).under(progress);
-                (prover.prove(&lit)?, Vec::new())
+                (prover.prove(lit)?, Vec::new())
             }
         };
         plan.proof = Some(proof);

@@ -157,7 +157,8 @@ fn planned_piece(
     let dense = dense::dense(line, rules.max_gap_mm, rules.max_dense_turn_deg);
     let dense_points = dense.len();
     let contact = configuration.geometry.as_ref().and_then(|g| g.contact.as_ref());
-    let (points, free) = if contact.is_some() { (Vec::new(), Vec::new()) } else { detected(&beam, &dense) };
+    let found = if contact.is_some() { Detected::default() } else { detected(&beam, &dense) };
+    let Detected { points, free, is_clear } = found;
     let mut planned = match (contact, correction) {
         (Some(contact), _) => {
             let stands = contact_stands(&beam, &contact.place, &dense, line.closed);
@@ -165,11 +166,11 @@ fn planned_piece(
         }
         (None, Correction::None) => {
             let axes = points.iter().zip(&free).map(|(q, f)| f.then_some(q.n)).collect();
-            Planned::along_normals(points, axes)
+            Planned::along_normals(points, axes, is_clear)
         }
         (None, Correction::SectionPlane) => {
             let axes = section_plane::correct(part, &beam, &points, &free, line.closed, *m, limit_deg);
-            Planned::along_normals(points, axes)
+            Planned::along_normals(points, axes, is_clear)
         }
         (None, Correction::Clearance) => {
             let rows = clearance::correct(part, &beam, &points, &free, line.closed, *number, rules);
@@ -195,17 +196,29 @@ fn planned_piece(
     beam.check().map(|()| pass)
 }
 
+/// The points of a line as the beam finds them along their normals.
+#[derive(Default)]
+struct Detected {
+    points: Vec<DensePoint>,
+    free: Vec<bool>,
+    /// Whether the beam meets nothing on the way to each point from the one before.
+    is_clear: Vec<bool>,
+}
+
 /// Finds which points are free, and adds points where a run of interference begins or ends.
-fn detected(beam: &BeamInterference<'_>, points: &[DensePoint]) -> (Vec<DensePoint>, Vec<bool>) {
+fn detected(beam: &BeamInterference<'_>, points: &[DensePoint]) -> Detected {
     let is_free = |q: &DensePoint| beam.is_free(&q.p, &q.n);
     let (mut out, mut free): (Vec<DensePoint>, Vec<bool>) = (Vec::with_capacity(points.len()), Vec::new());
+    let mut is_clear: Vec<bool> = Vec::with_capacity(points.len());
     for &q in points {
         let q_free = is_free(&q);
+        let mut is_way_clear = false;
         if let (Some(last), Some(&last_free)) = (out.last().copied(), free.last()) {
             let mut stops: Vec<(DensePoint, bool)> = vec![(last, last_free)];
             // Something thin may stand between two free points.
             let pose = |q: &DensePoint| Pose { p: q.p, a: q.n };
-            if last_free && q_free && motion::hit(beam, &pose(&last), &pose(&q), 0.0).is_some() {
+            is_way_clear = last_free && q_free && motion::is_free(beam, &pose(&last), &pose(&q), 0.0);
+            if last_free && q_free && !is_way_clear {
                 let steps = ((q.p - last.p).norm() / RUN_END_MM).ceil().max(2.0) * 4.0;
                 stops.extend((1..steps as usize).map(|i| {
                     let mid = dense::midway(&last, &q, i as f64 / steps);
@@ -223,12 +236,14 @@ fn detected(beam: &BeamInterference<'_>, points: &[DensePoint]) -> (Vec<DensePoi
                     if out.last().is_some_and(|l| l.p != end.p) && end.p != q.p {
                         out.push(end);
                         free.push(is);
+                        is_clear.push(false);
                     }
                 }
             }
         }
         out.push(q);
         free.push(q_free);
+        is_clear.push(is_way_clear);
     }
-    (out, free)
+    Detected { points: out, free, is_clear }
 }

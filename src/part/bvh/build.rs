@@ -11,6 +11,10 @@ const BINS: usize = 16;
 /// Subtrees of more facets than this are built in parallel.
 const SIDE_BY_SIDE: usize = 1 << 13;
 
+/// From this level on nodes are halved by number: the heuristic alone may split off facet by facet, and queries have room
+/// for 95 levels; 2³² facets have 32.
+const HALVED_FROM: usize = 60;
+
 /// A node of the hierarchy.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
@@ -29,15 +33,15 @@ pub(super) struct FacetBox {
 }
 
 /// The nodes over `items`, which are put in the order of the leaves; the root is the first.
-/// `offset`: how many items stand before these. Once cancelled it ends soon, and the tree is none.
-pub(super) fn build_tree(items: &mut [FacetBox], offset: u32, progress: &Progress) -> Vec<Node> {
+/// `offset`: how many items stand before these, `level`: how many nodes above. Once cancelled it ends soon, and the tree is none.
+pub(super) fn build_tree(items: &mut [FacetBox], (offset, level): (u32, usize), progress: &Progress) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
     nodes.push(Node { bounds: Aabb::NONE, at: 0, count: 0 });
-    build(items, offset, &mut nodes, 0, progress);
+    build(items, offset, &mut nodes, (0, level), progress);
     nodes
 }
 
-fn build(items: &mut [FacetBox], offset: u32, nodes: &mut Vec<Node>, me: usize, progress: &Progress) {
+fn build(items: &mut [FacetBox], offset: u32, nodes: &mut Vec<Node>, (me, level): (usize, usize), progress: &Progress) {
     let bounds = items.iter().fold(Aabb::NONE, |b, i| b.with(&i.bounds));
     let side_by_side = items.len() > SIDE_BY_SIDE;
     if items.len() <= LEAF || side_by_side && !progress.goes_on() {
@@ -47,16 +51,19 @@ fn build(items: &mut [FacetBox], offset: u32, nodes: &mut Vec<Node>, me: usize, 
     let children = nodes.len();
     nodes[me] = Node { bounds, at: children as u32, count: 0 };
     nodes.extend([nodes[me]; 2]);
-    let middle = split(items);
+    let middle = if level < HALVED_FROM { split(items) } else { items.len() / 2 };
     let (left, right) = items.split_at_mut(middle);
-    let behind = offset + middle as u32;
+    let (behind, below) = (offset + middle as u32, level + 1);
     if side_by_side {
-        let pair = rayon::join(|| build_tree(left, offset, progress), || build_tree(right, behind, progress));
+        let pair = rayon::join(
+            || build_tree(left, (offset, below), progress),
+            || build_tree(right, (behind, below), progress),
+        );
         graft(nodes, children, &pair.0);
         graft(nodes, children + 1, &pair.1);
     } else {
-        build(left, offset, nodes, children, progress);
-        build(right, behind, nodes, children + 1, progress);
+        build(left, offset, nodes, (children, below), progress);
+        build(right, behind, nodes, (children + 1, below), progress);
     }
 }
 

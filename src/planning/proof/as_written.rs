@@ -73,7 +73,7 @@ pub fn proven_as_written(
     let poses = Poses { setup, defocus_mm: process_settings(job, &setup.tool).defocus_mm };
     let driven = drive_program(&poses, &read, &of_plan, &mut Verdict::default());
     let lit: Vec<LitMove> = driven.iter().map(|d| d.lit).collect();
-    let proof = prover(part, setup, job).on_layers(&plan.grown).under(progress).prove(&lit)?;
+    let proof = prover(part, setup, job).on_layers(&plan.grown).under(progress).prove(lit)?;
     let target = |at: usize| {
         let from = number.get(at).copied().flatten()?;
         // A move between two targets belongs to the one that it leads to.

@@ -6,6 +6,7 @@
 mod beam_interference;
 mod blocker;
 mod ray;
+mod separated;
 mod skin;
 mod tool_body;
 

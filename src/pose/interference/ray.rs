@@ -3,6 +3,7 @@
 
 use super::beam_interference::{BeamInterference, RISE_MM, into_frame, motion_into_frame};
 use super::blocker::{Blocker, Obstruction, ToolBody};
+use super::separated::is_separated;
 use crate::part::{Bvh, angle, distance};
 use crate::pose::Pose;
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -28,6 +29,9 @@ const LEAVES_SINE: f64 = 0.035;
 /// A beam that runs along a facet by less than 5° does not stand on it: the sine. Beams are tilted by 80° at
 /// most; just past a rim the axis would meet the side below it.
 const STANDS_SINE: f64 = 0.087;
+
+/// So far the spot is looked for beside where a sag may have put it, mm.
+const SPOT_MM: f64 = 1e-3;
 
 /// Length of the first stretch of a moving beam that is looked at by itself, mm.
 const FIRST_STRETCH_MM: f64 = 1.0;
@@ -148,7 +152,9 @@ fn conflict_with(bvh: &Bvh, [from, middle, to]: &[Pose; 3], sag_mm: f64, stray_m
     let mut farthest: Option<f64> = None;
     // A turning beam sweeps wide only far out: each stretch is looked at as wide as it gets, so
     // that the surface around the spot is not visited for the sake of the far end.
-    let (mut near, mut far) = (0.0, FIRST_STRETCH_MM + 2.0 * half_mm);
+    // To where the turn has made it twice as wide it is one stretch; without a turn, all of it.
+    let twice_mm = (half_mm + GRAZE_MM) / half_turn;
+    let (mut near, mut far) = (0.0, (FIRST_STRETCH_MM + 2.0 * half_mm).max(twice_mm).min(size_mm));
     while near < size_mm {
         let start = middle.p + middle.a * near;
         let ray = distance::WideRay::new(&start, &middle.a, radius(far));
@@ -168,7 +174,9 @@ fn conflict_with(bvh: &Bvh, [from, middle, to]: &[Pose; 3], sag_mm: f64, stray_m
             let rise = |q: &Pose| corners.iter().map(|c| (c - q.p).dot(&q.a)).fold(f64::NEG_INFINITY, f64::max);
             let top = rise(from).max(rise(to));
             let touchable = || distance::ray_triangle(&middle.p, &middle.a, 0.0, corners) <= radius(top);
-            if top > RISE_MM + 2.0 * sag_mm && touchable() {
+            let motion = [*from, *middle, *to];
+            let is_clear = || is_separated(&motion, corners, (GRAZE_MM, 2.0 * sag_mm + SPOT_MM), &stray_mm);
+            if top > RISE_MM + 2.0 * sag_mm && touchable() && !is_clear() {
                 farthest = Some(farthest.map_or(top, |f| f.max(top)));
             }
             f64::INFINITY

@@ -10,8 +10,9 @@ use nalgebra::{Point3, Vector3};
 pub(super) fn rest(body: &PlacedFrustum, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> Option<f64> {
     let way = body.separation(corners);
     let mm = way.norm();
-    // Where it reaches into the facet no way tells, and the facet's own slope does.
-    let up = if mm > 1e-9 { way.dot(a) / mm } else { angle::unit(normal(corners))?.dot(a).abs() };
+    // Where it reaches into the facet, or so near to that that the way is rounding, no way tells, and the facet's own slope
+    // does.
+    let up = if mm > 1e-6 { way.dot(a) / mm } else { angle::unit(normal(corners))?.dot(a).abs() };
     (up >= REST_COSINE).then_some(mm)
 }
 

@@ -33,6 +33,9 @@ pub(super) struct Planned {
     aims: Vec<Vector3<f64>>,
     /// Whether a point lies where the one before it does, with another beam; the laser is off between the two.
     splits: Vec<bool>,
+    /// Whether the beam is known to meet nothing on the way to a point from the one before, along the normals; empty: of
+    /// none.
+    is_clear: Vec<bool>,
     /// How fast a corrected beam may turn against the normal, degrees/mm.
     rate_deg_mm: f64,
     /// How a contact tool stands on the line; `None`: a beam, whose axis begins in the point.
@@ -44,14 +47,19 @@ pub(super) struct Planned {
 const FOOT_ERROR_MM: f64 = 0.2;
 
 impl Planned {
-    /// Along the normals, or corrected away from them; `None`: blocked.
-    pub(super) fn along_normals(points: Vec<DensePoint>, axes: Vec<Option<Vector3<f64>>>) -> Planned {
+    /// Along the normals, or corrected away from them; `None`: blocked. `is_clear`: whether the way to each point from the
+    /// one before is known to be free along the normals.
+    pub(super) fn along_normals(
+        points: Vec<DensePoint>,
+        axes: Vec<Option<Vector3<f64>>>,
+        is_clear: Vec<bool>,
+    ) -> Planned {
         // An axis within rounding of the normal is the normal.
         let snapped =
             |(q, a): (&DensePoint, Option<Vector3<f64>>)| a.map(|a| if (a - q.n).norm() < 1e-9 { q.n } else { a });
         let axes = points.iter().zip(axes).map(snapped).collect();
         let (aims, splits) = (points.iter().map(|q| q.n).collect(), vec![false; points.len()]);
-        Planned { points, axes, aims, splits, rate_deg_mm: f64::INFINITY, contact: None }
+        Planned { points, axes, aims, splits, is_clear, rate_deg_mm: f64::INFINITY, contact: None }
     }
 
     /// From the corrected points that the search for tilts found.
@@ -61,6 +69,7 @@ impl Planned {
             axes: rows.iter().map(|r| r.axis).collect(),
             aims: rows.iter().map(|r| r.aim).collect(),
             splits: rows.iter().map(|r| r.is_split).collect(),
+            is_clear: Vec::new(),
             rate_deg_mm,
             contact: None,
         }
@@ -73,6 +82,7 @@ impl Planned {
             axes: stands.iter().map(|s| s.is_free.then_some(s.a)).collect(),
             aims: stands.iter().map(|s| s.a).collect(),
             splits: vec![false; stands.len()],
+            is_clear: Vec::new(),
             rate_deg_mm: f64::INFINITY,
             contact: Some(contact),
         }
@@ -99,14 +109,16 @@ impl Planned {
     /// it turns more than a move may.
     pub(super) fn test_motion(&mut self, beam: &BeamInterference<'_>, max_turn_deg: f64) {
         let max_turn_deg = max_turn_deg.min(CORRECTED_TURN_DEG);
-        let old = std::mem::replace(self, Planned::along_normals(Vec::new(), Vec::new()));
+        let old = std::mem::replace(self, Planned::along_normals(Vec::new(), Vec::new(), Vec::new()));
         (self.rate_deg_mm, self.contact) = (old.rate_deg_mm, old.contact);
         for i in 0..old.points.len() {
             self.push(old.points[i], old.axes[i], old.aims[i], old.splits[i]);
             let Some(next) = (i + 1 < old.points.len() && !old.splits[i + 1]).then_some(i + 1) else { continue };
             let Some((from, to)) = old.pose(i).zip(old.pose(next)) else { continue };
             let between = |t: f64| dense::midway(&old.points[i], &old.points[next], t);
-            if let Some(t) = motion::hit(beam, &from, &to, 0.0) {
+            let is_along = |i: usize| old.axes[i] == Some(old.points[i].n);
+            let is_known = old.is_clear.get(next) == Some(&true) && is_along(i) && is_along(next);
+            if let Some(t) = if is_known { None } else { motion::hit(beam, &from, &to, 0.0) } {
                 let aim = match old.contact {
                     Some(_) => angle::slerp(&old.aims[i], &old.aims[next], t),
                     None => between(t).n,

@@ -4,12 +4,14 @@
 use super::lead::Lead;
 use super::pieces::{self, Cuts, LitPiece, TransferSpaces};
 use super::transfer_space::TransferSpace;
+use crate::beam::ProcessSettings;
 use crate::cell::Setup;
 use crate::cell::motion::Refusal;
 use crate::pose::Pass;
 use crate::program::motion::lit::StraightFlange;
 use crate::program::neutral::shortfall::shortfalls;
 use crate::program::neutral::steps::{Go, Interpolation, MoveTiming, Station, Step, Steps};
+use rayon::prelude::*;
 
 /// Turns passes into steps. Blocked targets are not gone to. `air_mm_s`: speed of the focus in the air.
 ///
@@ -28,7 +30,7 @@ pub fn steps(
     let pieces = pieces::pieces(&spaces, passes, cuts);
     let can_go_straight = pieces::can_go_straight(&spaces, passes, &pieces);
     let refused = pieces::blocked_retreats(&spaces, passes, &pieces, &can_go_straight);
-    let mut walk = FocusWalk { straight, setup, space: &space, air_mm_s, out: Steps::default(), refused };
+    let mut walk = FocusWalk { setup, space: &space, air_mm_s, out: Steps::default(), gaps: Vec::new() };
     let home = Step::Home { percent: setup.cell.air.home_percent };
     walk.out.list.push(home.clone());
     let mut at: Option<Station> = None;
@@ -50,8 +52,10 @@ pub fn steps(
     if let Some(end) = at {
         walk.push_connecting_move(end, space.on_sphere(&end), None);
     }
-    let FocusWalk { mut out, refused, .. } = walk;
+    let FocusWalk { mut out, gaps, .. } = walk;
     out.list.push(home);
+    let mut refused = refused;
+    refused.extend(fill(&mut out, &gaps, straight));
     out.shortfalls = shortfalls(pieces.iter().map(|p| (&passes[p.of.pass], p.leads.left_out)), &setup.cell.outputs);
     if refused.is_empty() { Ok(out) } else { Err(refused) }
 }
@@ -79,12 +83,70 @@ fn from_home(space: &TransferSpace<'_>, setup: &Setup, entry: &Station) -> Go {
 
 /// Steps as they are added, piece by piece. Stations are turned so that the part need not make half a turn.
 struct FocusWalk<'a> {
-    straight: &'a StraightFlange<'a>,
     setup: &'a Setup,
     space: &'a TransferSpace<'a>,
     air_mm_s: f64,
     out: Steps,
-    refused: Vec<Refusal>,
+    gaps: Vec<LitGap>,
+}
+
+/// A lit move from one target to the next, whose stations between are not known yet.
+struct LitGap {
+    /// Its place among the steps.
+    step: usize,
+    from: Station,
+    to: Station,
+    settings: ProcessSettings,
+    seconds: f64,
+    /// Pass and point that it leads to.
+    target: (usize, usize),
+}
+
+/// Puts the stations between targets into the steps: those of one move hang on no other, so all are sought at once. What is
+/// refused comes back.
+fn fill(out: &mut Steps, gaps: &[LitGap], straight: &StraightFlange<'_>) -> Vec<Refusal> {
+    let sought = |gap: &LitGap| straight.stations_between(&gap.from, &gap.to, &gap.settings, gap.seconds);
+    let found: Vec<_> = gaps.par_iter().map(sought).collect();
+    let mut refused = Vec::new();
+    let mut found = gaps.iter().zip(found).peekable();
+    let steps = std::mem::take(&mut out.list);
+    // Summed again, in the order in which they are driven.
+    out.time_s = 0.0;
+    for (number, step) in steps.into_iter().enumerate() {
+        let Step::Go(mut go) = step else {
+            out.list.push(step);
+            continue;
+        };
+        if let Some((gap, between)) = found.next_if(|(gap, _)| gap.step == number) {
+            let mut done = 0.0;
+            match between {
+                Ok(between) => {
+                    for (share, to) in between {
+                        let timing = MoveTiming::Seconds(gap.seconds * (share - done));
+                        out.push_timed(Go { to, timing, target: None, ..go });
+                        done = share;
+                    }
+                }
+                Err((cause, why)) => {
+                    let (pass, point) = gap.target;
+                    refused.push(Refusal { pass, point, cause, why });
+                }
+            }
+            go.timing = MoveTiming::Seconds(gap.seconds * (1.0 - done));
+        }
+        out.push_timed(go);
+    }
+    refused
+}
+
+impl Steps {
+    /// Adds a move and its time, where it has one.
+    fn push_timed(&mut self, go: Go) {
+        if let MoveTiming::Seconds(seconds) = go.timing {
+            self.time_s += seconds;
+        }
+        self.list.push(Step::Go(go));
+    }
 }
 
 impl FocusWalk<'_> {
@@ -140,17 +202,10 @@ impl FocusWalk<'_> {
         for i in piece.of.first + 1..=piece.of.last {
             let next = Station::of(&pass.targets[i], &pass.settings).nearest_to(&here);
             let seconds = pass.targets[i].seconds_from(&pass.targets[i - 1], &pass.settings);
-            let mut done = 0.0;
-            match self.straight.stations_between(&here, &next, &pass.settings, seconds) {
-                Ok(between) => {
-                    for (share, station) in between {
-                        self.push_move(station, seconds * (share - done), None);
-                        done = share;
-                    }
-                }
-                Err((cause, why)) => self.refused.push(Refusal { pass: piece.of.pass, point: i, cause, why }),
-            }
-            self.push_move(next, seconds * (1.0 - done), Some((piece.of.pass, i)));
+            let target = (piece.of.pass, i);
+            let (step, settings) = (self.out.list.len(), pass.settings);
+            self.gaps.push(LitGap { step, from: here, to: next, settings, seconds, target });
+            self.push_move(next, seconds, Some(target));
             here = next;
         }
         self.out.list.push(Step::Laser(false));
@@ -173,8 +228,7 @@ impl FocusWalk<'_> {
     /// Adds a straight move in a given time.
     fn push_move(&mut self, to: Station, seconds: f64, target: Option<(usize, usize)>) {
         let (interpolation, timing) = (Interpolation::Linear, MoveTiming::Seconds(seconds));
-        self.out.list.push(Step::Go(Go { to, interpolation, joints_deg: None, timing, target }));
-        self.out.time_s += seconds;
+        self.out.push_timed(Go { to, interpolation, joints_deg: None, timing, target });
     }
 
     /// Adds a straight move at the speed of connecting moves.

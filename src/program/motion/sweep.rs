@@ -22,7 +22,7 @@ use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
 /// A move with the laser on.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LitMove {
     /// Where it begins: flange in the base, or path frame in the part.
     pub from: Isometry3<f64>,
@@ -68,6 +68,9 @@ pub struct Proof {
     pub refuted: Vec<(usize, Blocker)>,
     /// What cone and head are proven to keep from everything, mm; 0 for a ray.
     pub margin_mm: f64,
+    /// The moves themselves: who has the same ones again need not prove them again.
+    #[serde(skip)]
+    pub moves: Arc<Vec<LitMove>>,
 }
 
 /// In reports: how many.
@@ -210,12 +213,13 @@ impl<'a> Prover<'a> {
     ///
     /// # Errors
     /// [`Cancelled`] when the work that it is asked by should end.
-    pub fn prove(&self, moves: &[LitMove]) -> Result<Proof, Cancelled> {
+    pub fn prove(&self, moves: Vec<LitMove>) -> Result<Proof, Cancelled> {
         let found: Vec<Option<Blocker>> =
             moves.par_iter().map(|m| Ok(self.hit(m)?.map(|h| h.blocker))).collect::<Result<_, Cancelled>>()?;
         let refuted: Vec<(usize, Blocker)> = found.iter().enumerate().filter_map(|(i, b)| Some((i, (*b)?))).collect();
         let margin_mm = self.margin_mm();
-        Ok(Proof { lit_moves: moves.len(), proven: moves.len() - refuted.len(), refuted, margin_mm })
+        let (lit_moves, proven) = (moves.len(), moves.len() - refuted.len());
+        Ok(Proof { lit_moves, proven, refuted, margin_mm, moves: Arc::new(moves) })
     }
 
     /// What cone and head are proven to keep from everything, mm; 0 for a ray.

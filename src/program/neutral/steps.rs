@@ -120,14 +120,15 @@ pub struct Steps {
     pub shortfalls: Vec<(u32, Shortfall)>,
     /// Surfaces on which the spot does not have its speed everywhere.
     pub off_speed: Vec<OffSpeed>,
+    /// What the last piece is worked with.
+    pub(crate) process: Option<ProcessSettings>,
 }
 
 impl Steps {
     /// Says what the next piece is worked with, where that changes.
     pub fn set_process(&mut self, settings: &ProcessSettings) {
-        let before =
-            self.list.iter().rev().find_map(|s| if let Step::Process(settings) = s { Some(settings) } else { None });
-        if before != Some(settings) {
+        if self.process.as_ref() != Some(settings) {
+            self.process = Some(*settings);
             self.list.push(Step::Process(*settings));
         }
     }

@@ -3,7 +3,7 @@
 use crate::cell::Setup;
 use crate::part::Part;
 use crate::program::dialect::{Goal, ReadLine};
-use crate::program::sweep::Prover;
+use crate::program::sweep::{Proof, Prover};
 use crate::program::{Move, ProgramLine, spot};
 use nalgebra::{Isometry3, Point3};
 
@@ -17,6 +17,8 @@ pub struct Expected<'a> {
     pub defocus_mm: f64,
     /// Proves its lit moves.
     pub prover: Prover<'a>,
+    /// What was proven of the plan by the same prover; `None`: the moves are proven anew, whatever the plan says.
+    pub known: Option<&'a Proof>,
     /// The plan's moves in order.
     pub moves: Vec<&'a Move>,
     /// The plan as it is written, and read again.

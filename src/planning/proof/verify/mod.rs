@@ -75,7 +75,7 @@ pub fn check_variant(
             let written = AsWritten::new(dialect, dialect.lines(variant, &planned.steps, setup), named)?;
             let prover = prover(part, setup, job).on_layers(&planned.grown);
             let (moves, defocus_mm) = (moves(&written.lines), process_settings(job, &setup.tool).defocus_mm);
-            let expected = Expected { part, setup, defocus_mm, prover, moves, written: &written.read };
+            let expected = Expected { part, setup, defocus_mm, prover, known: None, moves, written: &written.read };
             verify(&expected, &read, with_checker)?
         }
         // Of a program that cannot be read it does not matter whether the plan could be written.
@@ -93,7 +93,8 @@ fn unreadable(e: ReadError) -> Finding {
 }
 
 /// Reads a program that was just written, its first file first, and compares it with the plan: its words
-/// are the plan's own, so it is written and read once.
+/// are the plan's own, so it is written and read once; and moves that are, to the last bit, those that were proven with the
+/// plan are not proven again.
 ///
 /// # Errors
 /// It cannot be read back; [`VerifyError::Cancelled`] when `progress` says so.
@@ -113,7 +114,8 @@ pub fn check_own(
     let lines = dialect.lines(variant, &plan.steps, setup);
     let prover = prover(part, setup, job).on_layers(&plan.grown).under(progress);
     let defocus_mm = process_settings(job, &setup.tool).defocus_mm;
-    let expected = Expected { part, setup, defocus_mm, prover, moves: moves(&lines), written: &read };
+    let known = plan.proof.as_ref();
+    let expected = Expected { part, setup, defocus_mm, prover, known, moves: moves(&lines), written: &read };
     Ok(verify(&expected, &read, false)?)
 }
 
