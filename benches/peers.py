@@ -3,7 +3,7 @@
 
     pip install numpy meshlib manifold3d trimesh embreex
     cargo bench --bench stages --no-run        # prints where the program of the bench is
-    benches/peers.py target/release/deps/stages-HASH [--clearbeam target/release/clearbeam] [10k 100k 1M]
+    benches/peers.py target/release/deps/stages-HASH [10k 100k 1M] [--clearbeam target/release/clearbeam]
 
 Each stage is timed in turns: ours, each peer, ours, each peer, in fresh processes of the bench and in this one; of each the
 median. Prints a table: milliseconds of ours and of the quickest peer, and ours / peer: below 1 ours is quicker. With
