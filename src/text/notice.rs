@@ -16,6 +16,18 @@ impl NamedSentence for Notice {
                 let surface = naming.surface(*surface);
                 say!(notice_refused, surface, targets = *targets, why = say!(why_far_from_flange))
             }
+            Notice::LeftOut {
+                surface,
+                cause: RefusalCause::Head,
+                by_surface: Some(by),
+                correction: None,
+                targets,
+                ..
+            } => {
+                // What grinds has no head.
+                let (surface, by) = (naming.surface(*surface), naming.surface(*by));
+                say!(notice_blocked_for_tool, surface, targets = *targets, by)
+            }
             Notice::LeftOut { surface, cause, by_surface, targets, .. } => {
                 left_out(&naming.surface(*surface), *cause, by_surface.map(|s| naming.surface(s)), *targets)
             }

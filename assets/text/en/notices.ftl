@@ -49,6 +49,10 @@ notice_blocked_for_head = { $surface }: { $targets ->
     [one] 1 target
    *[other] { $targets } targets
 } blocked by { $by }, which the head would hit
+notice_blocked_for_tool = { $surface }: { $targets ->
+    [one] 1 target
+   *[other] { $targets } targets
+} blocked by { $by }, which the tool would hit
 notice_blocked = { $surface }: { $targets ->
     [one] 1 target
    *[other] { $targets } targets
