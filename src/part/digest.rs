@@ -213,7 +213,7 @@ pub fn file_sha256(bytes: &[u8]) -> String {
     hexadecimal(Sha256::digest(bytes).as_slice())
 }
 
-/// The same, as long as nobody wants that to end.
+/// The SHA-256 of a file's bytes, hexadecimal, as long as nobody wants the work to end.
 ///
 /// # Errors
 /// [`Cancelled`] when `progress` says so.

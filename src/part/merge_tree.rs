@@ -22,7 +22,7 @@ pub fn dihedral_angles(mesh: &Mesh) -> Vec<f64> {
     dihedral_angles_under(&Progress::default(), mesh).unwrap_or_default()
 }
 
-/// The same, as long as nobody wants that to end.
+/// The angle at each edge as [`dihedral_angles`] has it, as long as nobody wants the work to end.
 ///
 /// # Errors
 /// [`Cancelled`] when `progress` says so.

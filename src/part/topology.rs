@@ -80,7 +80,7 @@ impl Mesh {
         Mesh::from_indexed_under(&Progress::default(), vertices, facets).unwrap_or_default()
     }
 
-    /// The same, as long as nobody wants that to end.
+    /// The mesh of facets over numbered vertices, as long as nobody wants the work to end.
     ///
     /// # Errors
     /// [`Cancelled`] when `progress` says so.

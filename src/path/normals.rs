@@ -24,7 +24,7 @@ impl VertexNormals {
         VertexNormals::new_under(&Progress::default(), mesh, surfaces, surface).unwrap_or_default()
     }
 
-    /// The same, as long as nobody wants that to end.
+    /// The normals of a surface, its facets weighed by their angle, as long as nobody wants the work to end.
     ///
     /// # Errors
     /// [`Cancelled`] when `progress` says so.

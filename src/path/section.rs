@@ -108,7 +108,8 @@ pub fn sections(
     sections_under(&progress, (mesh, surface, vertex_normals), normal, heights_mm, merge_mm).unwrap_or_default()
 }
 
-/// The same, as long as nobody wants that to end. `of`: the surface as [`sections`] has it.
+/// All lines of a surface as [`sections`] cuts it, as long as nobody wants the work to end. The first argument behind
+/// `progress` is the surface with its mesh and normals.
 ///
 /// # Errors
 /// [`Cancelled`] when `progress` says so.

@@ -33,7 +33,8 @@ pub(super) struct FacetBox {
 }
 
 /// The nodes over `items`, which are put in the order of the leaves; the root is the first.
-/// `offset`: how many items stand before these, `level`: how many nodes above. Once cancelled it ends soon, and the tree is none.
+/// `offset`: how many items stand before these, `level`: how many nodes above. Once cancelled it ends soon, and the tree
+/// is none.
 pub(super) fn build_tree(items: &mut [FacetBox], (offset, level): (u32, usize), progress: &Progress) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
     nodes.push(Node { bounds: Aabb::NONE, at: 0, count: 0 });

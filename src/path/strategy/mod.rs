@@ -122,7 +122,7 @@ pub fn lines(
     lines_under(&progress, (mesh, surface, normals), rule, family, merge_mm).unwrap_or_default()
 }
 
-/// The same, as long as nobody wants that to end. `of`: the surface as [`lines()`] has it.
+/// All lines of a surface as [`lines()`] lays them, as long as nobody wants the work to end. `of`: the surface as it has it.
 ///
 /// # Errors
 /// [`Cancelled`] when `progress` says so.

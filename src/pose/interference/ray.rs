@@ -139,7 +139,8 @@ impl BeamInterference<'_> {
 /// Two kinds of facets cannot be touched: those that the beam leaves on their face at both ends
 /// (the points between lie on that side too, and so do the axes between), and those that do not
 /// rise above the spot, such as the rest of a convex surface.
-fn conflict_with(bvh: &Bvh, [from, middle, to]: &[Pose; 3], sag_mm: f64, stray_mm: impl Fn(f64) -> f64) -> Option<f64> {
+fn conflict_with(bvh: &Bvh, motion: &[Pose; 3], sag_mm: f64, stray_mm: impl Fn(f64) -> f64) -> Option<f64> {
+    let [from, middle, to] = motion;
     let half_mm = 0.5 * (to.p - from.p).norm();
     let half_turn = libm::sin(0.5 * angle::between_deg(&from.a, &to.a).to_radians());
     let radius = |t: f64| half_mm + t.max(0.0) * half_turn + GRAZE_MM + stray_mm(t.max(0.0));
@@ -174,8 +175,7 @@ fn conflict_with(bvh: &Bvh, [from, middle, to]: &[Pose; 3], sag_mm: f64, stray_m
             let rise = |q: &Pose| corners.iter().map(|c| (c - q.p).dot(&q.a)).fold(f64::NEG_INFINITY, f64::max);
             let top = rise(from).max(rise(to));
             let touchable = || distance::ray_triangle(&middle.p, &middle.a, 0.0, corners) <= radius(top);
-            let motion = [*from, *middle, *to];
-            let is_clear = || is_separated(&motion, corners, (GRAZE_MM, 2.0 * sag_mm + SPOT_MM), &stray_mm);
+            let is_clear = || is_separated(motion, corners, (GRAZE_MM, 2.0 * sag_mm + SPOT_MM), &stray_mm);
             if top > RISE_MM + 2.0 * sag_mm && touchable() && !is_clear() {
                 farthest = Some(farthest.map_or(top, |f| f.max(top)));
             }

@@ -148,8 +148,11 @@ impl<'a> BeamInterference<'a> {
                 |facet, corners| {
                     let own = clamp.is_none() && leaves(&p, &a, corners);
                     let met = shape.met((&placed, &a), corners, (own, clamp.is_none()), 0.0);
-                    hit = met.map(|tool_body| (tool_body, clamp.unwrap_or(Obstruction::Facet(facet))));
-                    hit.is_none()
+                    let found = met.map(|tool_body| (tool_body, clamp.unwrap_or(Obstruction::Facet(facet))));
+                    // A disc that stands in the skin has skin beside it as well: that it cuts in is what is told.
+                    let is_gouge = found.is_some_and(|(tool_body, _)| tool_body == ToolBody::Gouge);
+                    hit = if is_gouge { found } else { hit.or(found) };
+                    hit.is_none() || shape.tool_body == ToolBody::Abrasive && clamp.is_none() && !is_gouge
                 },
             );
             hit

@@ -145,7 +145,7 @@ impl<'a> SmoothedDepths<'a> {
         self.depth_with(place, normals, &mut Room::default())
     }
 
-    /// The same, with the room to work in handed on.
+    /// The smoothed depth at a place, worked out in `room`, which the caller hands on from place to place.
     pub(super) fn depth_with(&self, place: &Point3<f64>, normals: &[Vector3<f64>], room: &mut Room) -> Option<f64> {
         // Where the other side of a wall is as near, it takes more to find as many of this one.
         let near = &mut room.near;
