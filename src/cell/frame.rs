@@ -54,6 +54,16 @@ pub enum FrameFault {
     /// Neither figures nor one kind of measurements, or both.
     #[error("not figures, three_points, points or tip_poses alone")]
     Keys,
+    /// A figure is out of its range.
+    #[error("{key}: {value} is not from −{most} to {most}")]
+    Range {
+        /// Its key in the frame.
+        key: &'static str,
+        /// What stands there.
+        value: f64,
+        /// Its greatest value, to either side.
+        most: f64,
+    },
     /// The measurements tell no frame.
     #[error(transparent)]
     Fit(#[from] FitError),
@@ -74,6 +84,12 @@ struct FrameText {
     #[serde(skip_serializing_if = "Option::is_none")]
     tip_poses: Option<Vec<[f64; 6]>>,
 }
+
+/// An origin lies no further than this from its base, mm: a hundred metres hold the longest track.
+pub const FARTHEST_MM: f64 = 100_000.0;
+
+/// An angle has no more than ten turns, degrees: of far more the turn within 360° is lost in its digits.
+pub const MOST_TURNS_DEG: f64 = 3600.0;
 
 /// Keys of the frames of a cell, and of a job's own.
 pub const KEYS: [&str; 4] = ["base_from_laser", "flange_from_part", "base_from_part", "flange_from_tool"];
@@ -170,12 +186,26 @@ impl TryFrom<FrameText> for Frame {
     fn try_from(text: FrameText) -> Result<Frame, FrameFault> {
         let FrameText { position_mm, rz_ry_rx_deg, three_points, points, tip_poses } = text;
         match (position_mm, rz_ry_rx_deg, three_points, points, tip_poses) {
-            (Some(position_mm), Some(turned), None, None, None) => Ok(Frame::new(position_mm, turned)),
+            (Some(position_mm), Some(turned), None, None, None) => {
+                within("position_mm", &position_mm, FARTHEST_MM)?;
+                within("rz_ry_rx_deg", &turned, MOST_TURNS_DEG)?;
+                Ok(Frame::new(position_mm, turned))
+            }
             (None, None, Some(three), None, None) => Ok(Measured::ThreePoints(three).frame()?),
             (None, None, None, Some(points), None) => Ok(Measured::Points(points).frame()?),
-            (None, Some(turned), None, None, Some(poses)) => Ok(Measured::TipPoses(poses, turned).frame()?),
+            (None, Some(turned), None, None, Some(poses)) => {
+                within("rz_ry_rx_deg", &turned, MOST_TURNS_DEG)?;
+                Ok(Measured::TipPoses(poses, turned).frame()?)
+            }
             _ => Err(FrameFault::Keys),
         }
+    }
+}
+
+fn within(key: &'static str, figures: &[f64; 3], most: f64) -> Result<(), FrameFault> {
+    match figures.iter().find(|x| !(-most..=most).contains(*x)) {
+        Some(&value) => Err(FrameFault::Range { key, value, most }),
+        None => Ok(()),
     }
 }
 

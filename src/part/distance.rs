@@ -5,13 +5,18 @@ use nalgebra::{Point3, Vector3};
 /// Distance from a point to a triangle, mm.
 pub fn point_triangle(p: &Point3<f64>, [a, b, c]: &[Point3<f64>; 3]) -> f64 {
     let n = (b - a).cross(&(c - a));
-    let inside = |u: &Point3<f64>, v: &Point3<f64>| (v - u).cross(&(p - u)).dot(&n) >= 0.0;
     let length = n.norm();
-    if length > 0.0 && inside(a, b) && inside(b, c) && inside(c, a) {
+    if length > 0.0 && stands_over(p, [a, b, c], &n) {
         return ((p - a).dot(&n) / length).abs();
     }
     let segment = |u: &Point3<f64>, v: &Point3<f64>| point_segment(p, u, v);
     segment(a, b).min(segment(b, c)).min(segment(c, a))
+}
+
+/// Whether a point stands over a triangle, seen along its normal.
+pub fn stands_over(p: &Point3<f64>, [a, b, c]: [&Point3<f64>; 3], normal: &Vector3<f64>) -> bool {
+    let inside = |u: &Point3<f64>, v: &Point3<f64>| (v - u).cross(&(p - u)).dot(normal) >= 0.0;
+    inside(a, b) && inside(b, c) && inside(c, a)
 }
 
 /// Distance from a point to a segment, mm.
@@ -60,17 +65,28 @@ pub fn triangles(one: &[Point3<f64>; 3], two: &[Point3<f64>; 3]) -> f64 {
 
 /// Distance of two segments, mm.
 pub fn segments(p: &Point3<f64>, q: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
+    squared_of_segments(p, q, a, b).sqrt()
+}
+
+/// Distance of two segments, squared, mm² (C. Ericson, Real-Time Collision Detection, 5.1.9).
+pub fn squared_of_segments(p: &Point3<f64>, q: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     let (u, v, w) = (q - p, b - a, p - a);
     let (uu, uv, vv, uw, vw) = (u.norm_squared(), u.dot(&v), v.norm_squared(), u.dot(&w), v.dot(&w));
+    let share = |over: f64, of: f64| (over / of.max(1e-300)).clamp(0.0, 1.0);
     let denominator = uu * vv - uv * uv;
-    let ends = [point_segment(p, a, b), point_segment(q, a, b), point_segment(a, p, q), point_segment(b, p, q)];
-    let ends = ends.into_iter().fold(f64::INFINITY, f64::min);
-    if denominator <= 1e-14 * uu * vv {
-        return ends;
+    let mut s = share(uv * vw - vv * uw, denominator);
+    let mut t = (uv * s + vw) / vv.max(1e-300);
+    if !(0.0..=1.0).contains(&t) {
+        t = t.clamp(0.0, 1.0);
+        s = share(uv * t - uw, uu);
     }
-    let (s, t) = ((uv * vw - vv * uw) / denominator, (uu * vw - uv * uw) / denominator);
-    let inside = (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t);
-    if inside { ends.min((w + u * s - v * t).norm()) } else { ends }
+    let found = (w + u * s - v * t).norm_squared();
+    if denominator > 1e-10 * uu * vv {
+        return found;
+    }
+    // Where they are all but parallel the nearest points of the lines drown in rounding; an end is as near then.
+    let ends = [point_segment(p, a, b), point_segment(q, a, b), point_segment(a, p, q), point_segment(b, p, q)];
+    ends.into_iter().map(|mm| mm * mm).fold(found, f64::min)
 }
 
 /// A ray with a width, prepared to rule out most triangles that are farther away at little cost.

@@ -126,7 +126,7 @@ fn slower(plan: &Plan, job: &Job, setup: &Setup, progress: &Progress) -> Result<
 }
 
 /// The mounting with which most of the work can be done, and how many targets are refused with it: what
-/// was found on single targets is planned before it is offered, first on some passes, the best on all.
+/// was found on single targets is planned before it is offered, first on some passes beside what there is, the best on all.
 /// `None`: nothing is better.
 ///
 /// # Errors
@@ -155,22 +155,30 @@ pub fn better_setup(
         (job, setup)
     };
     let found = advice::better_setups(setup, part, &sampled(&done, 3 * SAMPLE), progress)?;
-    progress.begin(Activity::PlanningSamples, found.len());
-    let mut tried = Vec::new();
+    progress.begin(Activity::PlanningSamples, found.len() + 1);
+    let refused_of = |job: &Job, setup: &Setup| {
+        let mut trial = Plan { passes: passes.clone(), grown: plan.grown.clone(), ..Plan::default() };
+        let driven = match &setup.robot {
+            Some(robot) if setup.check().is_ok() => drive(&mut trial, part, setup, robot, job, &progress.within()),
+            _ => return Ok(None),
+        };
+        match driven {
+            Err(PlanError::Cancelled) => Err(Cancelled),
+            // What cannot be planned is no better.
+            Err(_) => Ok(None),
+            Ok(()) => progress.step().map(|()| Some(trial.refusals.len())),
+        }
+    };
+    let mut least = refused_of(job, setup)?.unwrap_or(usize::MAX);
+    let mut best = None;
     for better in found {
         let (job, setup) = changed(&better);
-        if let (Some(robot), Ok(())) = (&setup.robot, setup.check()) {
-            let mut trial = Plan { passes: passes.clone(), grown: plan.grown.clone(), ..Plan::default() };
-            // What cannot be planned is no better.
-            match drive(&mut trial, part, &setup, robot, &job, &progress.within()) {
-                Ok(()) => tried.push((trial.refusals.len(), better)),
-                Err(PlanError::Cancelled) => return Err(Cancelled),
-                Err(_) => {}
-            }
+        if let Some(left) = refused_of(&job, &setup)?.filter(|left| *left < least) {
+            (least, best) = (left, Some(better));
         }
-        progress.step()?;
     }
-    let Some((_, better)) = tried.into_iter().min_by_key(|(left, _)| *left) else { return Ok(None) };
+    // What gains nothing on the sample is not worth to be planned whole, which takes as long as the plan itself.
+    let Some(better) = best else { return Ok(None) };
     let (job, setup) = changed(&better);
     match super::plan(part, surfaces, &job, &setup, cache, progress) {
         Ok(whole) => {

@@ -26,6 +26,9 @@ impl Sentence for FrameFault {
     fn sentence(&self) -> String {
         match self {
             FrameFault::Keys => say!(frame_keys),
+            FrameFault::Range { key, value, most } => {
+                say!(frame_range, key = *key, value = exact(*value), most = exact(*most))
+            }
             FrameFault::Fit(e) => e.sentence(),
         }
     }

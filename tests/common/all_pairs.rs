@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "each test file uses its own share")]
 
 use clearbeam::cell::Joints;
-use clearbeam::cell::motion::chain::{
+use clearbeam::cell::motion::rules::{
     AT_LIMIT, AT_SINGULARITY, MOST_SPEED, MOST_SPIN_STEP_DEG, MOST_STEP_DEG, NEAR_LIMIT_DEG, NEAR_SINGULAR,
 };
 use clearbeam::cell::motion::{Arm, ArmState, Choice};

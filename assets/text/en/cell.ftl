@@ -53,6 +53,7 @@ template_not_plain = { $key } = { $template }: give one line of ASCII
 
 frame_wrong = { $frame }: { $what }
 frame_tip_poses = { $frame }: tip_poses tell where a tool's tip is; give three_points or points here
+frame_range = { $key } { $value } is not from -{ $most } to { $most }
 frame_keys = a frame is position_mm and rz_ry_rx_deg, or three_points, or points, or tip_poses and rz_ry_rx_deg
 fit_figure = { $value } is not a number that can have been measured
 fit_x_near_origin = three_points: x is { $off } mm from origin: measure x again, as far out as there is room

@@ -72,9 +72,9 @@ pub fn choose_again(
     loop {
         let known = &*cache;
         let chain = chain(arm, &targets, go_on, |target: &ChainTarget| {
-            let mut states = known
-                .states((target.pass, target.point), || arm.states(&target.part_from_focus))
-                .map_err(NoPoseReason::NoState)?;
+            let solve = || arm.solutions(&target.part_from_focus);
+            let states = known.read((target.pass, target.point), solve, |solved| arm.readings(solved));
+            let mut states = states.map_err(NoPoseReason::NoState)?;
             states.retain(|s| is_open(target.pass, s.branch));
             if states.is_empty() {
                 return Err(NoPoseReason::NoWay);

@@ -9,8 +9,11 @@ pub mod advice;
 pub mod chain;
 pub mod choice;
 mod clusters;
+mod connecting_step;
+mod lit_step;
 mod reason;
 pub mod refusal;
+pub mod rules;
 pub mod states;
 pub mod target_state_cache;
 

@@ -1,7 +1,7 @@
 //! The reason for which a target has no state, or no motion leads to one that it has.
 
-use super::chain::{MOST_SPEED, MOST_STEP_DEG, most_deg};
 use super::refusal::{RefusalCause, RefusalReason};
+use super::rules::{MOST_SPEED, MOST_STEP_DEG, most_deg};
 use super::states::{Arm, ArmState, NoState};
 use crate::cell::Joints;
 use nalgebra::Isometry3;

@@ -37,6 +37,9 @@ pub struct ArmState {
     pub singularity: f64,
 }
 
+/// The solutions of the arm at a path frame, by spin and branch, each with its distance from a singular pose.
+pub struct ArmSolutions(Vec<[Option<(Joints, f64)>; 8]>);
+
 /// Why a path frame has no state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoState {
@@ -51,6 +54,13 @@ pub enum NoState {
     },
     /// Only poses next to a singularity.
     Singularity,
+}
+
+impl ArmSolutions {
+    /// How many solutions it has room for.
+    pub fn room(&self) -> usize {
+        8 * self.0.len()
+    }
 }
 
 impl<'a> Arm<'a> {
@@ -97,19 +107,31 @@ impl<'a> Arm<'a> {
     /// # Errors
     /// There is none, and why.
     pub fn states(&self, part_from_focus: &Isometry3<f64>) -> Result<Vec<ArmState>, NoState> {
-        let mut solved: Vec<[Option<Joints>; 8]> = Vec::with_capacity(self.spins.len());
-        for k in 0..self.spins.len() {
-            solved.push(self.robot.inverse(&self.flange_for(&self.with_spin(part_from_focus, k as u8))));
-        }
+        self.readings(&self.solutions(part_from_focus))
+    }
+
+    /// All solutions at a path frame.
+    pub fn solutions(&self, part_from_focus: &Isometry3<f64>) -> ArmSolutions {
+        let of_spin = |spin: usize| {
+            let solved = self.robot.inverse(&self.flange_for(&self.with_spin(part_from_focus, spin as u8)));
+            solved.map(|joints| joints.map(|joints| (joints, self.robot.singularity(&joints))))
+        };
+        ArmSolutions((0..self.spins.len()).map(of_spin).collect())
+    }
+
+    /// The states that solutions are read as, by branch, then by spin.
+    ///
+    /// # Errors
+    /// There is none, and why.
+    pub fn readings(&self, of: &ArmSolutions) -> Result<Vec<ArmState>, NoState> {
         let mut out = Vec::new();
         let (mut reached, mut least): (bool, Option<(f64, usize, f64)>) = (false, None);
         let mut singular = false;
         for branch in 0..8 {
-            for (spin, solutions) in solved.iter().enumerate() {
-                let Some(joints) = solutions[branch] else { continue };
+            for (spin, solutions) in of.0.iter().enumerate() {
+                let Some((joints, singularity)) = solutions[branch] else { continue };
                 reached = true;
                 let before = out.len();
-                let singularity = self.robot.singularity(&joints);
                 let is_singular = singularity < LEAST_SINGULARITY;
                 for (turn, joints_deg) in turns(&joints, &self.robot.limits_deg).take(256).enumerate() {
                     if is_singular {

@@ -1,23 +1,20 @@
-//! What a repeated search for a chain keeps from the one before: the states of targets, and which of them touch. Targets
-//! do not move, whatever was refused or closed meanwhile.
+//! What a repeated search for a chain keeps from the one before: the arm's solutions at targets, and which of them
+//! touch. Targets do not move, whatever was refused or closed meanwhile.
 
-use super::states::{ArmState, NoState};
+use super::states::{ArmSolutions, ArmState};
 use crate::pose::Pass;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
 
-/// So many states are kept: a quarter of a gigabyte. The others are made again.
-const MOST_STATES: usize = 4_000_000;
-
-/// The states of a target, or why there is none.
-type SolvedStates = Result<Vec<ArmState>, NoState>;
+/// Solutions are kept up to so many: a third of a gigabyte. The others are worked out again.
+const MOST_SOLUTIONS: usize = 5_000_000;
 
 /// What is known of the targets of some passes.
 #[derive(Default)]
 pub struct TargetStateCache {
     /// By pass and point; empty until a second search begins.
-    states: Vec<Vec<OnceLock<SolvedStates>>>,
+    solutions: Vec<Vec<OnceLock<ArmSolutions>>>,
     kept: AtomicUsize,
     /// By pass in which a chosen state touched: what is known of each of its targets.
     checks: BTreeMap<usize, Vec<ContactChecks>>,
@@ -28,26 +25,32 @@ pub struct TargetStateCache {
 pub(super) struct ContactChecks(Vec<AtomicU8>);
 
 impl TargetStateCache {
-    /// Keeps the states of these passes from now on.
+    /// Keeps the solutions at the targets of these passes from now on.
     pub(super) fn keep(&mut self, passes: &[Pass]) {
-        if self.states.is_empty() {
-            self.states = passes.iter().map(|p| p.targets.iter().map(|_| OnceLock::new()).collect()).collect();
+        if self.solutions.is_empty() {
+            self.solutions = passes.iter().map(|p| p.targets.iter().map(|_| OnceLock::new()).collect()).collect();
         }
     }
 
-    /// The states of a target by pass and point, made if they are not known.
-    pub(super) fn states(&self, (pass, point): (usize, usize), make: impl FnOnce() -> SolvedStates) -> SolvedStates {
-        let Some(place) = self.states.get(pass).and_then(|p| p.get(point)) else { return make() };
-        if let Some(known) = place.get() {
-            return known.clone();
+    /// What is read from the solutions at a target by pass and point, which are worked out if they are not known.
+    pub(super) fn read<R>(
+        &self,
+        (pass, point): (usize, usize),
+        solve: impl FnOnce() -> ArmSolutions,
+        read: impl FnOnce(&ArmSolutions) -> R,
+    ) -> R {
+        let place = self.solutions.get(pass).and_then(|p| p.get(point));
+        if let Some(known) = place.and_then(OnceLock::get) {
+            return read(known);
         }
-        let made = make();
-        let more = made.as_ref().map_or(0, Vec::len);
-        if self.kept.fetch_add(more, Ordering::Relaxed) + more <= MOST_STATES {
+        let solved = solve();
+        let out = read(&solved);
+        let more = solved.room();
+        if let Some(place) = place.filter(|_| self.kept.fetch_add(more, Ordering::Relaxed) + more <= MOST_SOLUTIONS) {
             // Nobody else asks for the same target meanwhile.
-            let _ = place.set(made.clone());
+            let _ = place.set(solved);
         }
-        made
+        out
     }
 
     /// Which states of a target touch, where its pass is looked at in full.

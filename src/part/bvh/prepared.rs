@@ -3,7 +3,7 @@
 
 use super::aabb::Aabb;
 use super::ray_hit_mm;
-use crate::part::distance::segment_triangle;
+use crate::part::distance::{segment_triangle, squared_of_segments, stands_over};
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 
 /// A segment prepared for tests against facets.
@@ -24,9 +24,30 @@ impl SegmentForFacets {
         SegmentForFacets { from: *from, to: *to, dir, length }
     }
 
+    /// Whether a facet is within `reach_mm`.
+    pub(super) fn is_near(&self, corners: &[Point3<f64>; 3], reach_mm: f64) -> bool {
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(&(c - a));
+        let heights = [(&self.from, (self.from - a).dot(&normal)), (&self.to, (self.to - a).dot(&normal))];
+        let within = reach_mm * reach_mm * normal.norm_squared();
+        let is_level = |height: f64| height * height <= within;
+        let is_on_both_sides = heights[0].1 * heights[1].1 <= 0.0;
+        if !is_on_both_sides && !is_level(heights[0].1) && !is_level(heights[1].1) {
+            return false;
+        }
+        let is_edge_near = |(u, v)| squared_of_segments(&self.from, &self.to, u, v) <= reach_mm * reach_mm;
+        let is_end_near = |(p, height)| is_level(height) && stands_over(p, [a, b, c], &normal);
+        is_on_both_sides && self.passes_through(corners)
+            || [(a, b), (b, c), (c, a)].into_iter().any(is_edge_near)
+            || heights.into_iter().any(is_end_near)
+    }
+
+    fn passes_through(&self, corners: &[Point3<f64>; 3]) -> bool {
+        ray_hit_mm(corners, &self.from, &self.dir).is_some_and(|t| (0.0..=self.length).contains(&t))
+    }
+
     pub(super) fn distance(&self, corners: &[Point3<f64>; 3]) -> f64 {
-        let through = ray_hit_mm(corners, &self.from, &self.dir).is_some_and(|t| (0.0..=self.length).contains(&t));
-        if through { 0.0 } else { segment_triangle(&self.from, &self.to, corners) }
+        if self.passes_through(corners) { 0.0 } else { segment_triangle(&self.from, &self.to, corners) }
     }
 }
 

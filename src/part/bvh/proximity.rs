@@ -34,12 +34,24 @@ impl Bvh {
     /// Whether a facet is within `reach_mm` of the segment.
     pub fn near_segment(&self, from: &Point3<f64>, to: &Point3<f64>, reach_mm: f64) -> bool {
         let segment = SegmentForFacets::new(from, to);
-        let mut near = false;
-        self.visit_ray(from, &segment.dir, 0.0, segment.length, reach_mm, |_, corners| {
-            near = near || segment.distance(corners) <= reach_mm;
-            if near { -1.0 } else { segment.length }
-        });
-        near
+        let sides = SegmentForBoxes::new(&segment);
+        let mut stack = [0u32; 96];
+        let mut depth = usize::from(!self.nodes.is_empty());
+        while depth > 0 {
+            depth -= 1;
+            let node = &self.nodes[stack[depth] as usize];
+            if sides.gap(&node.bounds) > reach_mm {
+                continue;
+            }
+            if node.count == 0 {
+                stack[depth] = node.at;
+                stack[depth + 1] = node.at + 1;
+                depth += 2;
+            } else if self.leaf(node).iter().any(|c| segment.is_near(c, reach_mm)) {
+                return true;
+            }
+        }
+        false
     }
 
     /// Visits every facet of a leaf whose box `near` does not rule out, until `visit` returns false.
