@@ -17,7 +17,8 @@ fn main() {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR").expect("cargo sets it")).join("assets/text");
     println!("cargo:rerun-if-changed={}", root.display());
     let mut out = String::from("pub(super) static LANGUAGES: &[(&str, &[(&str, &str)])] = &[\n");
-    for language in sorted(&root) {
+    // A glossary stands beside the folders.
+    for language in sorted(&root).into_iter().filter(|path| path.is_dir()) {
         let name = stem(&language);
         let _ = writeln!(out, "    ({name:?}, &[");
         for file in sorted(&language) {

@@ -61,7 +61,7 @@ fn exported(
     plan: &Plan,
 ) -> Result<(), ExportError> {
     let (wording, options) = (program_comment, ExportOptions { dose: true, ..ExportOptions::default() });
-    let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording, options };
+    let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording, options, page: None };
     export::files(&input, &ExportOf::new(job, Some(file)), &Progress::default()).map(|_| ())
 }
 

@@ -152,8 +152,17 @@ impl Bench {
         });
         self.stage("ply of the dose", |progress| drop(dose::ply(&map, surfaces, progress)));
         let (wording, options) = (program_comment, ExportOptions::default());
-        let input =
-            ExportInput { job: &job, part, surfaces, setup: &setup, plan: &plan, findings: &[], wording, options };
+        let input = ExportInput {
+            job: &job,
+            part,
+            surfaces,
+            setup: &setup,
+            plan: &plan,
+            findings: &[],
+            wording,
+            options,
+            page: None,
+        };
         let of = ExportOf { job: "part".into(), part: "part.stl".into() };
         self.stage("export", |progress| drop(export::files(&input, &of, progress)));
         Ok(())

@@ -49,6 +49,8 @@ pub enum Activity {
     MeasuringClearances,
     /// A plan is exported.
     Exporting,
+    /// Packing a job with all its files.
+    Packing,
     /// The program is written and read back.
     WritingProgram,
     /// Files are put into the folder.

@@ -93,8 +93,17 @@ fn dose_and_export_end_wherever_they_are() {
         |progress| planning::dose(part, surfaces, &plan, job, setup, progress),
     );
     let options = ExportOptions { dose: true, ..ExportOptions::default() };
-    let input =
-        ExportInput { job, part, surfaces, setup, plan: &plan, findings: &[], wording: program_comment, options };
+    let input = ExportInput {
+        job,
+        part,
+        surfaces,
+        setup,
+        plan: &plan,
+        findings: &[],
+        wording: program_comment,
+        options,
+        page: None,
+    };
     let of = ExportOf { job: "part".into(), part: "part.stl".into() };
     at_every_stage("export", |e| matches!(e, ExportError::Cancelled), |progress| export::files(&input, &of, progress));
 }

@@ -241,7 +241,7 @@ fn a_cancelled_export_makes_no_folder() {
     let (setup, progress) = (parts::setup(), Progress::default());
     let Planned { part, surfaces, job, plan } = &planned;
     let (wording, options) = (program_comment, ExportOptions::default());
-    let input = ExportInput { job, part, surfaces, setup: &setup, plan, findings: &[], wording, options };
+    let input = ExportInput { job, part, surfaces, setup: &setup, plan, findings: &[], wording, options, page: None };
     progress.cancel();
     let said = export::write(&out, &input, None, false, &progress);
     assert!(matches!(said, Err(ExportError::Cancelled)), "{said:?}");

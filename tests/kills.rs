@@ -111,6 +111,7 @@ fn export(folder: &Path, document: &Document) {
         findings: &[],
         wording: program_comment,
         options: ExportOptions::default(),
+        page: None,
     };
     export_into(folder, &input, document.file(), false, &Progress::default()).expect("writes");
 }

@@ -73,6 +73,8 @@ pub enum Command {
     Toggle(Toggle),
     /// Switches between the dark and the light theme.
     Theme,
+    /// Goes over to the next language.
+    Language,
     /// Plans again what was cancelled or failed, and reads changed files.
     Plan,
     /// Cancels what is being computed.
@@ -320,6 +322,7 @@ table! {
     Toggle(Toggle::WeldImages) => command_weld_images, View, key(Key::V);
     Toggle(Toggle::WeldPoints) => command_weld_points, View, key(Key::E);
     Theme => command_theme, View, None;
+    Language => command_language, View, None;
     Plan => command_plan, Plan, ctrl(Key::R);
     Cancel => command_cancel, Plan, None;
     BetterSetup => command_better_setup, Plan, None;

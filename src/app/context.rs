@@ -33,6 +33,7 @@ use super::spacing::{SpacingPicture, SpacingView};
 use super::suggestion_search::BetterSetupPreview;
 use super::weld::{WeldAsking, WeldView};
 use crate::beam::ProcessSettings;
+use crate::document::files::JobError;
 use crate::document::model::ScanWork;
 use crate::document::{Document, Library};
 use crate::planning::export::{ExportError, Exported};
@@ -55,6 +56,8 @@ pub(super) struct Context<'a> {
     pub session: &'a Session,
     /// The export that is being written.
     pub exporting: &'a Stage<Exported, ExportError>,
+    /// The package that is being written.
+    pub packing: &'a Stage<PathBuf, Arc<JobError>>,
     /// Files that were opened or saved last, the newest first.
     pub recent: &'a [PathBuf],
     /// The library: recipes of the user and shipped ones.
@@ -93,6 +96,7 @@ impl App {
             derived: &self.derived,
             session: &self.session,
             exporting: &self.exporting,
+            packing: &self.packing,
             recent: &self.recent,
             recipes: &self.recipes,
             spacing: &self.spacing,
@@ -224,7 +228,13 @@ impl<'a> Context<'a> {
     /// help, the dose.
     pub fn progress(self) -> Option<(Activity, f32)> {
         let d = self.derived;
-        let computed = [d.pipeline.progress(), self.exporting.progress(), d.suggestions.progress(), d.dose.progress()];
+        let computed = [
+            d.pipeline.progress(),
+            self.exporting.progress(),
+            self.packing.progress(),
+            d.suggestions.progress(),
+            d.dose.progress(),
+        ];
         let read = [self.reading.progress(), self.adding.progress(), self.asking.progress()];
         let works = read.into_iter().chain(computed);
         works.flatten().find_map(Progress::now)

@@ -9,12 +9,12 @@ use super::session::AfterGuard;
 use crate::beam::Obstacle;
 use crate::document::files::{self, JobError};
 use crate::document::{Edit, IfChanged, Remembered};
-use crate::planning::export::{self, ExportError, ExportInput, ExportOptions};
-use crate::planning::report::PlanFinding;
+use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, Page};
+use crate::planning::report::{PlanFinding, Report};
 use crate::planning::{Failure, PlannedJob};
-use crate::program::Variant;
+use crate::program::{Breakdown, Variant};
 use crate::progress::Activity;
-use crate::text::{NamedSentence as _, Naming, Sentence as _, program_comment, say};
+use crate::text::{NamedSentence as _, Naming, Sentence as _, page_pictures, program_comment, report_page, say};
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
@@ -90,7 +90,11 @@ impl App {
                 return;
             }
         }
-        self.save_into(path, IfChanged::Refuse);
+        if self.is_for_package(&path) {
+            self.pack(path);
+        } else {
+            self.save_into(path, IfChanged::Refuse);
+        }
     }
 
     /// Writes the job into a file.
@@ -129,13 +133,17 @@ impl App {
         let variant = Variant { dry_run, from_pass: self.context().going_on_from() };
         self.session.exported_dry_run = dry_run;
         // A dose that is looked at is written as well.
-        let options = ExportOptions { dose: self.session.show.is_on(Toggle::Dose), variant };
+        let options =
+            ExportOptions { dose: self.session.show.is_on(Toggle::Dose), variant, page: self.session.writes_page };
         let (job, file) = (self.document.job().clone(), self.document.file().map(Path::to_path_buf));
         self.session.said = say!(window_writing_into, folder = dir.display().to_string());
         let executor = self.derived.pipeline.executor().clone();
         self.exporting.clear();
         self.exporting.start(planned.key, Activity::Exporting, &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
+            let pictures = if options.page { page_pictures(&planned) } else { Ok(Vec::new()) };
+            let page = |report: &Report, times: Option<&Breakdown>| report_page(report, (&job, plan), times, &pictures);
+            let page: Option<Page<'_>> = if options.page { Some(&page) } else { None };
             let input = ExportInput {
                 job: &job,
                 part,
@@ -145,6 +153,7 @@ impl App {
                 findings: &[],
                 wording: program_comment,
                 options,
+                page,
             };
             export::write(&dir, &input, file.as_deref(), overwrite, progress).map_err(|e| match e {
                 ExportError::Cancelled => Failure::Cancelled,

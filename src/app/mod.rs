@@ -25,6 +25,7 @@ mod journal;
 mod menu_place;
 mod opening;
 mod outside;
+mod packing;
 mod panels;
 mod pick;
 mod playback;
@@ -53,9 +54,11 @@ mod weld;
 pub use command::{Command, Jump, Menu, More, Toggle, TurnAxis};
 pub use dialogs::{FileDialogs, NativeDialogs, Purpose};
 
+use crate::document::files::JobError;
 use crate::document::{Document, Library, users_folder};
 use crate::planning::export::{ExportError, Exported};
 use crate::planning::{Pool, Stage};
+use crate::text;
 use crate::text::say;
 use crate::view::{Scene, Viewport};
 use derived::Derived;
@@ -83,6 +86,8 @@ pub struct App {
     journal: journal::JournalKeeper,
     /// The export that is being written.
     exporting: Stage<Exported, ExportError>,
+    /// The package that is being written.
+    packing: Stage<PathBuf, Arc<JobError>>,
     /// The access map and strip that were asked for last.
     access: access::AccessViews,
     /// Lines of the paths, kept while nothing about them changes.
@@ -109,17 +114,22 @@ pub struct App {
 }
 
 const RECENT_KEY: &str = "recent";
+const LANGUAGE_KEY: &str = "language";
 
 impl App {
     /// Builds the window's contents; `open` is a part or a job.
     pub fn new(cc: &eframe::CreationContext<'_>, dialogs: Box<dyn FileDialogs>, open: Option<PathBuf>) -> App {
         theme::install(&cc.egui_ctx);
+        let kept: Option<String> = cc.storage.and_then(|s| eframe::get_value(s, LANGUAGE_KEY));
+        if let Some(language) = kept.and_then(|code| text::language_of(&code)).filter(|_| !text::is_chosen()) {
+            text::choose(language);
+        }
         // Buttons act while they are drawn: a frame drawn twice over, as egui does when a table is
         // measured first, would act twice and move a second surface.
         cc.egui_ctx.options_mut(|o| o.max_passes = std::num::NonZeroUsize::MIN);
         let mut viewport =
             cc.gl.clone().and_then(|gl| Viewport::new(gl).ok()).unwrap_or_else(Viewport::without_picture);
-        crate::text::name_view(&mut viewport);
+        text::name_view(&mut viewport);
         let recent = cc.storage.and_then(|s| eframe::get_value(s, RECENT_KEY)).unwrap_or_default();
         let mut app = App {
             document: Document::default(),
@@ -134,6 +144,7 @@ impl App {
             question: None,
             journal: journal::JournalKeeper::default(),
             exporting: Stage::default(),
+            packing: Stage::default(),
             access: access::AccessViews::default(),
             path_lines: None,
             recent,
@@ -163,6 +174,7 @@ impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         self.take_opened();
         self.take_exported();
+        self.take_packed();
         self.take_answers();
         self.take_scans();
         self.take_weld_images();
@@ -238,6 +250,7 @@ impl eframe::App for App {
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         eframe::set_value(storage, RECENT_KEY, &self.recent);
+        eframe::set_value(storage, LANGUAGE_KEY, &text::language().code());
     }
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {

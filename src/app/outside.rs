@@ -75,7 +75,11 @@ impl App {
     /// Whether nothing is being computed or waited for: what is shown is current.
     pub fn is_settled(&self) -> bool {
         let is_read = self.reading.is_at_rest() && self.adding.is_at_rest() && self.asking.is_at_rest();
-        let is_idle = is_read && self.tool.is_at_rest() && !self.exporting.is_running() && self.answers.is_empty();
+        let is_idle = is_read
+            && self.tool.is_at_rest()
+            && !self.exporting.is_running()
+            && !self.packing.is_running()
+            && self.answers.is_empty();
         is_idle && self.derived.is_at_rest() && !self.viewport.is_gliding() && self.derived.is_current(&self.document)
     }
 

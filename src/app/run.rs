@@ -7,7 +7,7 @@ use super::dialogs::Purpose;
 use super::session::{AfterGuard, Coloring, PointerTool};
 use crate::document::Edit;
 use crate::part::SurfaceId;
-use crate::text::say;
+use crate::text::{self, say};
 use crate::view::{Bounds, Projection};
 use eframe::egui;
 
@@ -18,7 +18,7 @@ impl Context<'_> {
         let selected = &self.session.selected;
         let clean = || self.clean_list();
         match command {
-            C::Open | C::OpenWeld | C::Help | C::Escape | C::Theme => true,
+            C::Open | C::OpenWeld | C::Help | C::Escape | C::Theme | C::Language => true,
             C::OpenScan | C::Save | C::SaveAs | C::Plan => self.derived.part.is_some(),
             C::Select(More::Listed) | C::PickOrigin | C::LayFlat | C::QuarterTurn(_) => self.derived.part.is_some(),
             C::Look(_) | C::Fit | C::Projection | C::ShowAll => self.derived.part.is_some(),
@@ -122,6 +122,7 @@ impl App {
             C::ShowAll => self.session.hidden.clear(),
             C::Toggle(what) => self.toggle(what),
             C::Theme => self.change_theme(),
+            C::Language => self.change_language(),
             C::Plan => self.plan_again(),
             C::Cancel => self.cancel(),
             C::BetterSetup => self.find_better_setup(),
@@ -188,6 +189,11 @@ impl App {
         self.ctx.set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
     }
 
+    fn change_language(&mut self) {
+        text::choose(text::language().next());
+        text::name_view(&mut self.viewport);
+    }
+
     fn begin_renaming(&mut self) {
         let settings = &self.document.job().settings;
         let first = self.session.selected.first().copied();
@@ -229,6 +235,8 @@ impl App {
             self.derived.pipeline.cancel();
         } else if self.exporting.is_running() {
             self.exporting.cancel();
+        } else if self.packing.is_running() {
+            self.packing.cancel();
         } else if self.derived.suggestions.progress().is_some() {
             self.derived.suggestions.cancel_shown();
         } else {

@@ -108,6 +108,8 @@ pub struct Session {
     pub going_on: Option<GoingOn>,
     /// Whether it was a dry run that was exported last.
     pub exported_dry_run: bool,
+    /// Whether an export writes the report as a page as well.
+    pub writes_page: bool,
     /// Camera must be fitted once the part is there.
     pub fit_pending: bool,
 }
@@ -247,6 +249,7 @@ impl Default for Session {
             compare: None,
             going_on: None,
             exported_dry_run: false,
+            writes_page: false,
             fit_pending: false,
         }
     }

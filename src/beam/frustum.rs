@@ -31,7 +31,22 @@ impl Frustum {
     /// Places it with t = 0 at `p` and its axis along the unit vector `a`.
     pub fn placed(&self, p: &Point3<f64>, a: &Vector3<f64>) -> PlacedFrustum {
         let slope = (self.r1_mm - self.r0_mm) / (self.t1_mm - self.t0_mm);
-        PlacedFrustum { origin: *p, axis: *a, shape: *self, slope, inverse: a.map(|x| (1.0 / x).clamp(-1e300, 1e300)) }
+        let [start, end] = [self.t0_mm, self.t1_mm].map(|t| p + a * t);
+        let wide = a.map(|x| (1.0 - x * x).max(0.0).sqrt());
+        let side = |k: usize, sign: f64| {
+            let at = |end: &Point3<f64>, r: f64| sign * end[k] + r * wide[k];
+            // Wider by more than the rounding.
+            sign * (at(&start, self.r0_mm).max(at(&end, self.r1_mm)) + 1e-9)
+        };
+        PlacedFrustum {
+            origin: *p,
+            axis: *a,
+            shape: *self,
+            slope,
+            inverse: a.map(|x| (1.0 / x).clamp(-1e300, 1e300)),
+            lo: std::array::from_fn(|k| side(k, -1.0)),
+            hi: std::array::from_fn(|k| side(k, 1.0)),
+        }
     }
 }
 
@@ -44,6 +59,9 @@ pub struct PlacedFrustum {
     /// By how much its radius grows along the axis.
     slope: f64,
     inverse: Vector3<f64>,
+    /// The box around it.
+    lo: [f64; 3],
+    hi: [f64; 3],
 }
 
 /// Maximum number of iterations. Four or five are usual; a case still undecided counts as near.
@@ -53,6 +71,10 @@ impl PlacedFrustum {
     /// Whether a box might come within `reach_mm`; `false` is certain.
     #[inline]
     pub fn near_box(&self, lo: &[f64; 3], hi: &[f64; 3], reach_mm: f64) -> bool {
+        // Most boxes that are far are so along x, y or z.
+        if (0..3).any(|k| lo[k] - self.hi[k] > reach_mm || self.lo[k] - hi[k] > reach_mm) {
+            return false;
+        }
         let (mut middle, mut half) = (0.0, 0.0);
         for k in 0..3 {
             let a = self.axis[k];

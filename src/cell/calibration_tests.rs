@@ -193,7 +193,7 @@ fn a_cell_file_with_useless_measurements_says_so() {
     let half = refused(cell_with("base_from_laser", "position_mm = [0.0, 0.0, 0.0]"));
     assert_eq!(half, wrong("base_from_laser", FrameFault::Keys));
     for (key, value, most) in [("position_mm", 1.1e5, 1e5), ("rz_ry_rx_deg", -1e308, 3600.0)] {
-        let three = |of: &str| if of == key { format!("[0.0, {value}, 0.0]") } else { "[0.0, 0.0, 0.0]".into() };
+        let three = |of: &str| if of == key { format!("[0.0, {value:?}, 0.0]") } else { "[0.0, 0.0, 0.0]".into() };
         let far = format!("position_mm = {}\nrz_ry_rx_deg = {}", three("position_mm"), three("rz_ry_rx_deg"));
         let fault = FrameFault::Range { key, value, most };
         assert_eq!(refused(cell_with("flange_from_tool", &far)), wrong("flange_from_tool", fault));

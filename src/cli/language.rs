@@ -1,7 +1,7 @@
 //! `--lang`: taken out of the arguments before anything else is read, so that help and refusals are in that
 //! language as well. An unknown language is left for the parser to refuse.
 
-use crate::text::{Language, choose, languages, say};
+use crate::text::{Language, choose, language_of, languages, say};
 use clap::Arg;
 use clap::builder::PossibleValuesParser;
 use std::ffi::OsString;
@@ -29,7 +29,6 @@ pub(super) fn taken(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsStri
 }
 
 fn split(arguments: impl IntoIterator<Item = OsString>) -> (Option<Language>, Vec<OsString>) {
-    let named = |code: &str| languages().find(|l| l.code() == code);
     let (mut language, mut rest) = (None, Vec::new());
     let mut arguments = arguments.into_iter().peekable();
     while let Some(argument) = arguments.next() {
@@ -40,12 +39,12 @@ fn split(arguments: impl IntoIterator<Item = OsString>) -> (Option<Language>, Ve
             break;
         }
         let found = match argument.to_str().and_then(|a| a.strip_prefix(OPTION)) {
-            Some("") => arguments.next_if(|next| next.to_str().is_some_and(|n| named(n).is_some())),
-            Some(code) => code.strip_prefix('=').filter(|code| named(code).is_some()).map(OsString::from),
+            Some("") => arguments.next_if(|next| next.to_str().is_some_and(|n| language_of(n).is_some())),
+            Some(code) => code.strip_prefix('=').filter(|code| language_of(code).is_some()).map(OsString::from),
             None => None,
         };
         match found {
-            Some(code) => language = code.to_str().and_then(named),
+            Some(code) => language = code.to_str().and_then(language_of),
             None => rest.push(argument),
         }
     }

@@ -4,14 +4,13 @@ use super::{CommandFailure, CommandOutcome, print};
 use crate::document::{Job, files, segmented};
 use crate::picture::dose::legend;
 use crate::picture::{
-    DoseLook, Legend, PartLook, PartPicture, PathLook, deviation_points, deviation_scale, dose_item, paths,
+    DoseLook, Legend, PartLook, PartPicture, deviation_points, deviation_scale, dose_item, part_with_lines, png, still,
 };
 use crate::planning::scanned::Scanned;
 use crate::planning::{self, Pipeline, PlannedJob};
 use crate::progress::Progress;
 use crate::text::{listed, say};
-use crate::view::{Camera, HeadlessGl, MeshItem, Renderer, Scene, StandardView, ViewSize};
-use std::io::Cursor;
+use crate::view::{Bounds, HeadlessGl, MeshItem, Scene, StandardView};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -81,43 +80,29 @@ pub fn run(a: &RenderArguments) -> Result<CommandOutcome, CommandFailure> {
         let item = PartPicture::new(&part, &surfaces).item(&surfaces, &PartLook::default());
         (Scene { meshes: vec![item], ..Scene::default() }, None, part.mesh.bounds())
     };
-    let bounds = crate::view::Bounds { min, max };
-    let pixels = ViewSize::new(f64::from(a.size[0]), f64::from(a.size[1]));
-    let mut camera = Camera::fitted(bounds, pixels);
-    camera.look(a.view);
-    camera.fit(&bounds, pixels);
     let gl = HeadlessGl::new().map_err(CommandFailure::failed)?;
-    let mut renderer = Renderer::new(gl.gl()).map_err(CommandFailure::failed)?;
-    renderer.draw(&scene, &camera, a.size).map_err(CommandFailure::failed)?;
-    let mut png = Cursor::new(Vec::new());
-    let mut image = renderer.read_rgba();
+    let drawn = still(&gl, &scene, Bounds { min, max }, (a.view, a.size));
+    let mut image = drawn.map_err(CommandFailure::failed)?;
     if let Some(legend) = &legend {
         super::legend::paint(&mut image, legend);
     }
-    let not_packed = |e: image::ImageError| CommandFailure::Failed(say!(cli_no_picture, reason = e.to_string()));
-    image.write_to(&mut png, image::ImageFormat::Png).map_err(not_packed)?;
-    files::write_atomic(&a.out, png.get_ref()).map_err(CommandFailure::failed)?;
+    files::write_atomic(
+        &a.out,
+        &png(&image).map_err(|e| CommandFailure::Failed(say!(cli_no_picture, reason = e.to_string())))?,
+    )
+    .map_err(CommandFailure::failed)?;
     print(&format!("{}\n", say!(cli_wrote, file = a.out.display().to_string())));
     Ok(CommandOutcome::Done)
 }
 
 /// The part with its lines, or with what lands on it.
 fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Legend>), CommandFailure> {
+    let Color::Dose(look) = color else { return Ok((part_with_lines(planned).0, None)) };
     let PlannedJob { part, surfaces, plan, job, setup, .. } = planned;
-    let picture = PartPicture::new(part, surfaces);
-    let mut scene = Scene::default();
-    if let Color::Dose(look) = color {
-        let map =
-            planning::dose(part, surfaces, plan, job, setup, &Progress::default()).map_err(CommandFailure::failed)?;
-        let edges = picture.item(surfaces, &PartLook::default()).edges;
-        scene.meshes.push(MeshItem { edges, ..dose_item(&map, surfaces, look) });
-        return Ok((scene, Some(legend(&map, look))));
-    }
-    let chosen = job.chosen(surfaces);
-    let path_look = PathLook { lines: true, frame_mm: 0.02 * part.mesh.diagonal(), ..PathLook::default() };
-    scene.lines = paths(plan, &path_look, 1);
-    scene.meshes.push(picture.item(surfaces, &PartLook { chosen, ..PartLook::default() }));
-    Ok((scene, None))
+    let map = planning::dose(part, surfaces, plan, job, setup, &Progress::default()).map_err(CommandFailure::failed)?;
+    let edges = PartPicture::new(part, surfaces).item(surfaces, &PartLook::default()).edges;
+    let item = MeshItem { edges, ..dose_item(&map, surfaces, look) };
+    Ok((Scene { meshes: vec![item], ..Scene::default() }, Some(legend(&map, look))))
 }
 
 /// Puts the points of a scan on the part, in colours of how far they are off it.

@@ -83,31 +83,43 @@ impl MergeTree {
     /// [`Cancelled`] when `progress` says so.
     pub fn built(mesh: &Mesh, dihedral_deg: &[f64], progress: &Progress) -> Result<MergeTree, Cancelled> {
         let count = mesh.facets.len();
-        let mut order: Vec<u32> =
-            (0..dihedral_deg.len() as u32).filter(|&e| dihedral_deg[e as usize].is_finite()).collect();
-        order.par_sort_unstable_by(|&a, &b| {
-            dihedral_deg[a as usize].total_cmp(&dihedral_deg[b as usize]).then(a.cmp(&b))
-        });
         let mut parent: Vec<u32> = (0..count as u32).collect();
         let mut height_deg = vec![0.0; count];
+        parent.reserve(count);
+        height_deg.reserve(count);
         let mut sets = UnionFind::new(count);
         // Topmost join of each set, kept at its representative.
         let mut top: Vec<u32> = (0..count as u32).collect();
-        progress.check()?;
-        for (number, e) in order.into_iter().enumerate() {
-            progress.check_at(number)?;
-            for [f, g] in mesh.pairs(e) {
-                let (a, b) = (sets.root(f), sets.root(g));
-                if a == b {
-                    continue;
+        let (mut edges, ends) = in_ranges(dihedral_deg);
+        let mut begin = 0;
+        for end in ends {
+            progress.check()?;
+            // Most edges lie within what flatter ones have joined (Osipov et al., The Filter-Kruskal Minimum Spanning
+            // Tree Algorithm, 2009): they need no sorting.
+            let mut open = 0;
+            let range = &mut edges[begin..end];
+            for i in 0..range.len() {
+                if mesh.pairs(range[i].1).any(|[f, g]| sets.root(f) != sets.root(g)) {
+                    range.swap(open, i);
+                    open += 1;
                 }
-                let join = parent.len() as u32;
-                parent.push(join);
-                height_deg.push(dihedral_deg[e as usize]);
-                parent[top[a as usize] as usize] = join;
-                parent[top[b as usize] as usize] = join;
-                sets.join(a, b);
-                top[a.min(b) as usize] = join;
+            }
+            begin = end;
+            range[..open].par_sort_unstable();
+            for &(bits, e) in &range[..open] {
+                for [f, g] in mesh.pairs(e) {
+                    let (a, b) = (sets.root(f), sets.root(g));
+                    if a == b {
+                        continue;
+                    }
+                    let join = parent.len() as u32;
+                    parent.push(join);
+                    height_deg.push(f64::from_bits(bits));
+                    parent[top[a as usize] as usize] = join;
+                    parent[top[b as usize] as usize] = join;
+                    sets.join(a, b);
+                    top[a.min(b) as usize] = join;
+                }
             }
         }
         Ok(MergeTree { facets: count, parent, height_deg })
@@ -140,6 +152,30 @@ impl MergeTree {
             .collect();
         (surfaces, count)
     }
+}
+
+/// Edges that are no crease at every angle, in ranges of angle, the flattest first, and where each range ends. Edges are
+/// pairs of their angle's bits, which are in the order of the angles, and their number.
+fn in_ranges(dihedral_deg: &[f64]) -> (Vec<(u64, u32)>, Vec<usize>) {
+    // Sign, exponent and four bits more: sixteen ranges from an angle to its double.
+    let range = |angle_deg: &f64| (angle_deg.to_bits() >> 48) as usize;
+    let edges = || dihedral_deg.iter().zip(0..).filter(|(angle, _)| angle.is_finite());
+    let mut ends = vec![0; 1 << 16];
+    for (angle, _) in edges() {
+        ends[range(angle)] += 1;
+    }
+    let mut before = 0;
+    for end in &mut ends {
+        before += std::mem::replace(end, before);
+    }
+    let mut out = vec![(0, 0); before];
+    for (angle, e) in edges() {
+        let at = &mut ends[range(angle)];
+        out[*at] = (angle.to_bits(), e);
+        *at += 1;
+    }
+    ends.dedup();
+    (out, ends)
 }
 
 /// Angles below this join at α: "θ ≥ α is a crease" must hold for a right angle at α = 90°, which

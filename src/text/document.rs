@@ -14,6 +14,7 @@ impl Sentence for JobError {
         match self {
             JobError::File(e) => e.sentence(),
             JobError::NoJob { file, source } => say!(in_file, file, what = source.sentence()),
+            JobError::Package { file, what } => say!(in_file, file, what = what.sentence()),
             JobError::PartGone { file } => say!(job_part_gone, file),
             JobError::PartChanged { file } => say!(job_part_changed, file),
             JobError::Part(e) => e.sentence(),

@@ -30,6 +30,8 @@ mod notice;
 #[cfg(test)]
 mod notice_tests;
 mod number;
+mod package;
+mod page;
 pub mod parameter;
 mod part;
 mod part_file;
@@ -54,7 +56,7 @@ mod view;
 mod weld;
 
 pub(crate) use bundle::{Arg, Message, id, render};
-pub use bundle::{Language, choose, language, languages};
+pub use bundle::{Language, choose, is_chosen, language, language_of, languages};
 pub use changed_part::carried_lines;
 pub use dose::dose_lines;
 pub(crate) use inspect::{inspected, shape_label};
@@ -62,6 +64,7 @@ pub(crate) use list::{listed, listed_clauses};
 pub use naming::{NamedSentence, Naming};
 pub use notice::{example, notice_line, remedy};
 pub(crate) use number::{clock, exact, fixed, hour_and_minute, percent, rough, short};
+pub use page::{PagePicture, page_pictures, report_page};
 pub(crate) use part::with_option;
 pub(crate) use picture::{legend_entry, legend_mark, spacing_labels};
 pub use program_comment::program_comment;

@@ -27,6 +27,7 @@ impl Sentence for Activity {
             Activity::WorkingOutMotion => say!(activity_working_out_motion),
             Activity::MeasuringClearances => say!(activity_measuring_clearances),
             Activity::Exporting => say!(activity_exporting),
+            Activity::Packing => say!(activity_packing),
             Activity::WritingProgram => say!(activity_writing_program),
             Activity::WritingFiles => say!(activity_writing_files),
             Activity::SummingDose => say!(activity_summing_dose),

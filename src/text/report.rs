@@ -29,7 +29,8 @@ pub fn report_lines(report: &Report, job: &Job) -> String {
     lines.into_iter().map(|line| line + "\n").collect()
 }
 
-fn figures(r: &Report) -> Vec<String> {
+/// Figures of the path, in lines.
+pub(super) fn figures(r: &Report) -> Vec<String> {
     let free = r.points.saturating_sub(r.corrected + r.blocked);
     let [work, blocked, air] = [r.work_mm, r.blocked_mm, r.air_mm].map(|mm| fixed(mm, 1));
     let tilt = fixed(r.max_tilt_deg, 1);

@@ -51,7 +51,7 @@ pub fn triad(painter: &egui::Painter, view: Rect, camera: &Camera) {
         if direction.xy().norm() > 0.15 {
             let letter = origin + on_screen(&direction) * TRIAD_REACH * 1.08;
             let name = ["X", "Y", "Z"][axis];
-            painter.text(letter, Align2::CENTER_CENTER, name, FontId::proportional(11.0), color);
+            painter.text(letter, Align2::CENTER_CENTER, name, FontId::proportional(12.0), color);
         } else {
             painter.circle_filled(origin, 3.0, color);
         }
@@ -150,7 +150,7 @@ impl Face {
         let rim = Stroke::new(1.0, Color32::from_black_alpha(110));
         ui.painter().add(Shape::convex_polygon(self.corners.to_vec(), fill, rim));
         if self.facing > LABEL_FACING {
-            let size = 8.5 + 3.0 * self.facing as f32;
+            let size = 9.5 + 3.0 * self.facing as f32;
             let font = FontId::proportional(size);
             ui.painter().text(self.middle, Align2::CENTER_CENTER, label, font, text);
         }

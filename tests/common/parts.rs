@@ -176,7 +176,7 @@ impl Planned {
     pub fn files_in(&self, setup: &Setup) -> Vec<OutputFile> {
         let Planned { part, surfaces, job, plan } = self;
         let (wording, options) = (program_comment, ExportOptions::default());
-        let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording, options };
+        let input = ExportInput { job, part, surfaces, setup, plan, findings: &[], wording, options, page: None };
         let of = ExportOf { job: "part".into(), part: "part.stl".into() };
         export::files(&input, &of, &Progress::default()).expect("files").0
     }

@@ -18,6 +18,7 @@ cli_plan_jobs = How many plans of a row are made at once
 cli_row_failed = not all of the row was planned; the lines say which
 cli_row_same_name = two plans of the row would be written to the folder { $name }: give jobs or scans other names
 cli_plan_dose = Compute the dose and write dose.ply; a job with a threshold of [dose] has it without this
+cli_plan_report = Write the report as a page for people too (report.html)
 cli_plan_dry_run = Write the dry run in place of the program: the same motion at { $percent } % of its speed, every output off, names of its own
 cli_plan_from_pass = Write the program from pass N on, as path.csv counts them from 0, to go on after a stop; names of its own
 cli_plan_overwrite = Replace files in the folder that were changed by hand, belong to another job, or were not exported

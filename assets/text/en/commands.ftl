@@ -80,6 +80,8 @@ command_scan_section = Section of the scan
 command_weld_images = Images of the weld
 command_weld_points = Bead and camera
 command_theme = Dark or light
+# What it goes over to, so that those who read only that can find it.
+command_language = 中文 (Chinese)
 
 ## Plan
 command_plan = Plan now

@@ -57,3 +57,13 @@ journal_unreadable = { $file }: was left behind by a program that ended early, a
 journal_no_owner = its first line does not say which job it belongs to
 journal_bad_owner = first line: { $reason }
 journal_damaged = it is not as it was written
+
+## A job with all its files
+package_archive = the package cannot be read: it is cut off or no package; copy it again
+package_no_job = no package of a job
+package_later = a later clearbeam wrote this package (schema { $schema }); take that one
+package_name = the package has a file that would lie outside of its folder: { $name }; do not use it
+package_too_large = the package holds more than { $most } MiB
+package_occupied = it would be unpacked into { $folder }, where { $file } is another one: open the job there, or move that folder away
+package_outside = it names { $file }, which lies outside of its folder; put that file beside it
+package_unwritable = the package cannot be written: { $reason }

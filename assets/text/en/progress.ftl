@@ -11,6 +11,7 @@ activity_connecting_moves = connecting moves
 activity_working_out_motion = working out the motion
 activity_measuring_clearances = measuring clearances
 activity_exporting = exporting
+activity_packing = packing
 activity_writing_program = writing the program
 activity_writing_files = writing files
 activity_summing_dose = computing the dose

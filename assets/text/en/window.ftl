@@ -14,6 +14,8 @@ window_facets_read = { $count ->
 }
 window_saved = saved { $file }
 window_writing_into = writing into { $folder }…
+window_packing = packing job and files into { $file }
+window_packed = packed the job with all its files into { $file }
 window_exported = exported { $program }
 window_export_cancelled = the export was cancelled
 window_part_being_built = the part is being rebuilt; change the crease angle once it is there

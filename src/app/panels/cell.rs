@@ -55,7 +55,7 @@ fn robot(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let Some(Ok(setup)) = context.derived.pipeline.setup() else { return };
     let unverified = setup.robot.as_ref().map_or(&[][..], |r| &r.unverified);
     if !unverified.is_empty() {
-        let text = RichText::new(say!(cell_panel_unverified)).small().color(theme::ATTENTION);
+        let text = RichText::new(say!(cell_panel_unverified)).small().color(ui.visuals().warn_fg_color);
         ui.label(text).on_hover_text(format!("{}\n{}", say!(cell_panel_unverified_tip), unverified.join("\n")));
     }
 }
@@ -112,8 +112,13 @@ fn cell_file(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
         }
     });
     match context.derived.pipeline.setup() {
-        Some(Ok(setup)) => ui.label(RichText::new(&setup.cell.name).small().weak()),
-        Some(Err(why)) => ui.label(RichText::new(why.sentence()).color(theme::WRONG)),
+        Some(Ok(setup)) => {
+            // What a shipped cell is called tells of its own mount, whatever the job's is.
+            let is_shipped = context.document.job().cell.file.is_empty();
+            let name = if is_shipped { say!(cell_panel_shipped_cell) } else { setup.cell.name.clone() };
+            ui.label(RichText::new(name).small().weak())
+        }
+        Some(Err(why)) => ui.label(RichText::new(why.sentence()).color(ui.visuals().error_fg_color)),
         None => return,
     };
 }

@@ -1,7 +1,7 @@
 //! A field for a number. What is typed and cannot be is not taken, and a line below says so with what can be; what the
 //! job holds is shown as it is, and is not changed by being shown.
 
-use super::super::{quantity, theme};
+use super::super::quantity;
 use crate::text::{exact, say};
 use eframe::egui::{self, DragValue, RichText};
 use std::cell::RefCell;
@@ -96,6 +96,6 @@ fn is_as_shown(text: &str, number: f64, before: f64, decimals: usize) -> bool {
 /// Says below a row of fields what of it was not taken.
 pub(super) fn refused<'d>(ui: &mut egui::Ui, drawn: impl IntoIterator<Item = &'d Drawn>) {
     for said in drawn.into_iter().filter_map(|d| d.refusal.as_ref()) {
-        ui.label(RichText::new(said).small().color(theme::WRONG));
+        ui.label(RichText::new(said).small().color(ui.visuals().error_fg_color));
     }
 }

@@ -19,7 +19,10 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
 }
 
 fn button(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    ui.add_space(2.0);
+    let mut writes_page = context.session.writes_page;
+    if ui.checkbox(&mut writes_page, say!(cell_panel_page)).on_hover_text(say!(cell_panel_page_tip)).changed() {
+        actions.session(move |s| s.writes_page = writes_page);
+    }
     let ready = context.plan().is_some();
     let text = match context.going_on_from() {
         None => say!(cell_panel_export),

@@ -135,7 +135,7 @@ pub(super) fn number_from(
     });
     refused(ui, &drawn);
     if let Err(why) = p.check(now) {
-        ui.label(RichText::new(why.sentence()).small().color(theme::WRONG));
+        ui.label(RichText::new(why.sentence()).small().color(ui.visuals().error_fg_color));
     }
     wanted
 }

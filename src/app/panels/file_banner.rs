@@ -22,7 +22,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
                 continue;
             }
             ui.horizontal_wrapped(|ui| {
-                ui.label(RichText::new(theme::capital(&finding.sentence())).strong().color(theme::ATTENTION));
+                ui.label(RichText::new(theme::capital(&finding.sentence())).strong().color(ui.visuals().warn_fg_color));
                 cure(ui, finding, actions);
                 if row == 0 && ui.button(say!(file_dismiss)).on_hover_text(say!(file_dismiss_tip)).clicked() {
                     let dismissed = doubts.clone();

@@ -3,7 +3,6 @@
 
 use super::super::actions::Actions;
 use super::super::context::Context;
-use super::super::theme;
 use super::entry::{Entry, refused};
 use crate::cell::calibration::CalibrationNote;
 use crate::cell::frame::{FARTHEST_MM, MOST_TURNS_DEG};
@@ -88,6 +87,10 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     let Some(Ok(cell)) = context.derived.pipeline.cell() else { return };
     let mount = context.document.job().cell.mount.unwrap_or(cell.mount);
     let notes = cell.calibrations();
+    if context.document.job().cell.file.is_empty() {
+        let text = RichText::new(say!(frames_examples)).small().color(ui.visuals().warn_fg_color);
+        ui.label(text).on_hover_text(say!(frames_examples_tip));
+    }
     for row in ROWS.iter().filter(|r| r.mount == mount) {
         let Some(of_cell) = cell.frames().into_iter().find(|(key, _)| *key == row.key).map(|(_, f)| f) else {
             continue;
@@ -137,7 +140,7 @@ fn heading(ui: &mut egui::Ui, row: &Row, own: Option<&Own>, of_cell: &Frame) -> 
     let taken = ui.horizontal(|ui| {
         ui.label((row.name)()).on_hover_text((row.tip)());
         let Some(own) = own else { return false };
-        let dot = RichText::new("●").small().color(theme::ACCENT);
+        let dot = RichText::new("●").small().color(ui.visuals().hyperlink_color);
         ui.label(dot).on_hover_text(say!(frames_set_for_job));
         let reset = ui.small_button("↺").on_hover_text(say!(frames_back, pose = said(of_cell)));
         reset.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, (own.reset)()));

@@ -28,7 +28,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         }
     } else {
         let why = data.why_none.clone().unwrap_or_else(|| say!(program_panel_none));
-        ui.label(RichText::new(why).color(theme::WRONG));
+        ui.label(RichText::new(why).color(ui.visuals().error_fg_color));
     }
     if view != context.session.program_view {
         actions.session(|s| s.program_view = view);

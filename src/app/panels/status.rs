@@ -3,7 +3,6 @@
 use super::super::actions::Actions;
 use super::super::command::Command;
 use super::super::context::Context;
-use super::super::theme;
 use crate::planning::PlannedJob;
 use crate::planning::report::{Grade, Severity};
 use crate::program::Timeline;
@@ -45,12 +44,12 @@ fn plan(ui: &mut egui::Ui, context: Context<'_>) {
     ui.label(say!(status_size, passes = report.passes, targets = report.points));
     if report.corrected > 0 {
         let text = say!(status_corrected, count = report.corrected);
-        ui.label(RichText::new(text).color(theme::ATTENTION));
+        ui.label(RichText::new(text).color(ui.visuals().warn_fg_color));
     }
     let time_s = context.timeline().map_or(report.time_s, Timeline::total_s);
     ui.label(say!(status_work, length_mm = fixed(report.work_mm, 1), time = clock(time_s)));
     if context.derived.is_plan_out_of_date(context.document) {
-        let text = RichText::new(say!(status_out_of_date)).color(theme::ATTENTION);
+        let text = RichText::new(say!(status_out_of_date)).color(ui.visuals().warn_fg_color);
         ui.label(text).on_hover_text(say!(status_out_of_date_tip));
     }
 }
@@ -60,10 +59,11 @@ fn plan(ui: &mut egui::Ui, context: Context<'_>) {
 fn plan_status(ui: &mut egui::Ui, context: Context<'_>) {
     let Some(of) = context.plan() else { return };
     let Some(status) = of.report.status() else { return };
+    let visuals = ui.visuals();
     let color = match status.grade() {
-        Grade::Unproven | Grade::Nothing => theme::WRONG,
-        Grade::LeftOut => theme::ATTENTION,
-        Grade::Free => theme::ACCENT,
+        Grade::Unproven | Grade::Nothing => visuals.error_fg_color,
+        Grade::LeftOut => visuals.warn_fg_color,
+        Grade::Free => visuals.hyperlink_color,
     };
     ui.label(RichText::new(status.sentence()).color(color)).on_hover_ui(|ui| {
         ui.label(worst(of).join("\n"));

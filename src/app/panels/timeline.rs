@@ -9,12 +9,11 @@ use super::going_on;
 use super::problems::why_left_out;
 use super::scrub;
 use crate::part::rpy;
-use crate::picture::palette::state;
 use crate::planning::Plan;
 use crate::pose::{Target, TargetState};
 use crate::program::{Breakdown, Timeline};
 use crate::text::{clock, fixed, id, say};
-use eframe::egui::{self, Color32, RichText, Slider};
+use eframe::egui::{self, RichText, Slider};
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let Some(of) = context.derived.plan() else {
@@ -70,7 +69,7 @@ fn time_shares(ui: &mut egui::Ui, b: &Breakdown, left_out: usize) {
     if left_out > 0 {
         let [r, g, b, _] = theme::WRONG.to_array();
         theme::swatch(ui, [r, g, b]);
-        ui.label(RichText::new(say!(timeline_left_out, count = left_out)).color(theme::WRONG));
+        ui.label(RichText::new(say!(timeline_left_out, count = left_out)).color(ui.visuals().error_fg_color));
     }
 }
 
@@ -123,14 +122,15 @@ fn pass_row(ui: &mut egui::Ui, plan: &Plan, context: Context<'_>, actions: &mut 
 
 fn target_numbers(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let Some(t) = context.target() else { return };
-    let (word, [r, g, b]) = match t.state {
-        TargetState::Free => (say!(timeline_free), [90, 140, 230]),
-        TargetState::Corrected => (say!(timeline_corrected), state::CORRECTED),
-        TargetState::Blocked => (say!(timeline_blocked), [240, 70, 70]),
+    let visuals = ui.visuals();
+    let (word, color) = match t.state {
+        TargetState::Free => (say!(timeline_free), visuals.hyperlink_color),
+        TargetState::Corrected => (say!(timeline_corrected), visuals.warn_fg_color),
+        TargetState::Blocked => (say!(timeline_blocked), visuals.error_fg_color),
     };
     let (pass, point) = context.session.playback.at;
     ui.horizontal_wrapped(|ui| {
-        ui.label(RichText::new(word).strong().color(Color32::from_rgb(r, g, b)));
+        ui.label(RichText::new(word).strong().color(color));
         ui.label(say!(timeline_place, pass = id(pass), point = id(point)));
         ui.label(match (context.has_weld(), t.laser) {
             (false, true) => say!(timeline_laser_on),
@@ -144,7 +144,7 @@ fn target_numbers(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions
         flange(ui, t, context);
         going_on::chip(ui, context, actions);
         if t.state == TargetState::Blocked {
-            ui.label(RichText::new(why_left_out(context, (pass, point))).color(theme::WRONG));
+            ui.label(RichText::new(why_left_out(context, (pass, point))).color(ui.visuals().error_fg_color));
         }
     });
 }

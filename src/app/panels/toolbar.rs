@@ -4,7 +4,6 @@ use super::super::actions::Actions;
 use super::super::command::{Command, Toggle};
 use super::super::context::Context;
 use super::super::session::PointerTool;
-use super::super::theme;
 use super::menu::told_why;
 use crate::text::say;
 use eframe::egui::{self, RichText};
@@ -39,7 +38,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
                 PointerTool::PickOrigin => say!(toolbar_pick_origin),
                 PointerTool::LayFlat => say!(toolbar_lay_flat),
             };
-            ui.label(RichText::new(what).color(theme::ATTENTION));
+            ui.label(RichText::new(what).color(ui.visuals().warn_fg_color));
         });
     });
 }

@@ -44,22 +44,24 @@ pub(super) struct StateGroup {
     pub bounds: StateBounds,
 }
 
+/// Branch, turns and spin of a state, and its number.
+type KeyedState = ((u8, [i8; 6], u8), u32);
+
 /// All states with their costs in groups, the cheapest first.
 pub(super) fn groups(all: &[ArmState], cost: &[f64]) -> Vec<StateGroup> {
     let readings = |s: &ArmState| s.joints_deg.map(|deg| (deg / 360.0).round() as i8);
-    let mut order: Vec<((u8, [i8; 6], u8), u32)> =
-        all.iter().zip(0..).map(|(s, k)| ((s.branch, readings(s), s.spin), k)).collect();
+    let mut order: Vec<KeyedState> = all.iter().zip(0..).map(|(s, k)| ((s.branch, readings(s), s.spin), k)).collect();
     order.sort_unstable();
     let bounds = |k: u32| {
         let joints_deg = all[k as usize].joints_deg;
         StateBounds { least: joints_deg, most: joints_deg, cost: cost[k as usize] }
     };
-    let cluster = |states: &[((u8, [i8; 6], u8), u32)]| {
+    let cluster = |states: &[KeyedState]| {
         let states: Vec<u32> = states.iter().map(|(_, k)| *k).collect();
         let together = states.iter().map(|k| bounds(*k)).reduce(|a, b| a.with(&b))?;
         Some(StateCluster { states, bounds: together })
     };
-    let group = |states: &[((u8, [i8; 6], u8), u32)]| {
+    let group = |states: &[KeyedState]| {
         let near = states.chunk_by(|(a, _), (b, _)| a.2 / CLUSTER_SPINS == b.2 / CLUSTER_SPINS);
         let mut clusters: Vec<StateCluster> = near.filter_map(cluster).collect();
         clusters.sort_by(|a, b| a.bounds.cost.total_cmp(&b.bounds.cost));

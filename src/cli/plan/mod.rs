@@ -6,18 +6,22 @@ use super::changed::part_of;
 use super::word_options::full_path;
 use super::{CommandFailure, CommandOutcome, PlanOptions, print, print_json, tell_of_file};
 use crate::cell::Setup;
+use crate::document::files::package;
 use crate::document::model::ScanFile;
 use crate::document::{Chosen, Edit, Job, ScanEdit, files};
 use crate::part::Source;
 use crate::planning::cures::Cure;
-use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, Exported, FileConflict};
-use crate::planning::report::PlanFinding;
+use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, Exported, FileConflict, Page};
+use crate::planning::report::{PlanFinding, Report};
 use crate::planning::{self, FromPassError, Pipeline, PlanError, PlannedJob, PlanningError, advice};
-use crate::program::{DRY_RUN_PERCENT, Variant};
+use crate::program::{Breakdown, DRY_RUN_PERCENT, Variant};
 use crate::progress::Progress;
 use crate::scan;
 use crate::scan::file::ScanFileError;
-use crate::text::{NamedSentence as _, Naming, Sentence as _, clock, exact, program_comment, report_lines, say};
+use crate::text::{
+    NamedSentence as _, Naming, Sentence as _, clock, exact, page_pictures, program_comment, report_lines, report_page,
+    say,
+};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -36,6 +40,8 @@ pub struct PlanArguments {
     jobs: u16,
     #[arg(long, help = say!(cli_plan_dose))]
     dose: bool,
+    #[arg(long, help = say!(cli_plan_report))]
+    report: bool,
     #[arg(long, help = say!(cli_plan_dry_run, percent = exact(DRY_RUN_PERCENT)))]
     dry_run: bool,
     #[arg(long, value_name = "N", help = say!(cli_plan_from_pass))]
@@ -85,13 +91,19 @@ pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
 
 /// Plans one job and writes its files.
 fn write(a: &PlanArguments, of: &PlanRun<'_>) -> Result<WrittenPlan, CommandFailure> {
-    let (job, job_file) = opened(of.input)?;
+    // A package is unpacked into the plan's folder: nothing is left anywhere else.
+    let unpacked = if package::is_package(of.input) {
+        Some(package::unpack(of.input, &package::unpacked_in(&of.out, of.input)).map_err(CommandFailure::failed)?)
+    } else {
+        None
+    };
+    let (job, job_file) = opened(unpacked.as_deref().unwrap_or(of.input))?;
     let job_file = job_file.as_deref();
     // Under the job's own numbers, before options give others.
     let (mut job, source, findings) = part_of(job, job_file)?;
     a.options.apply(&mut job, &source)?;
     take_files(a, of.scan, &mut job)?;
-    let options = ExportOptions { dose: a.dose, variant: a.variant() };
+    let options = ExportOptions { dose: a.dose, variant: a.variant(), page: a.report };
     let target = PlanTarget { input: of.input, out: &of.out, options, overwrite: a.overwrite };
     plan_and_write(&target, (job, job_file), source, &findings)
 }
@@ -127,7 +139,10 @@ pub(in crate::cli) fn plan_and_write(
     tell_of_file(named, planned.report.findings.iter().filter_map(PlanFinding::in_file));
     tell_of_cell(&job, setup);
     let wording = program_comment;
-    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings, wording, options };
+    let pictures = if options.page { page_pictures(&planned) } else { Ok(Vec::new()) };
+    let page = |report: &Report, times: Option<&Breakdown>| report_page(report, (&job, plan), times, &pictures);
+    let page: Option<Page<'_>> = if options.page { Some(&page) } else { None };
+    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings, wording, options, page };
     let exported = export::write(out, &input, job_file, overwrite, &Progress::default()).map_err(not_exported)?;
     Ok(WrittenPlan { pipeline, planned, job, exported })
 }

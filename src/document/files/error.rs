@@ -1,5 +1,6 @@
 //! Why a job cannot be opened or saved.
 
+use super::package::PackageError;
 use super::scanned_part_error::ScannedPartError;
 use crate::beam::{ContactToolError, HeadError};
 use crate::cell::{CellError, RobotError};
@@ -86,6 +87,14 @@ pub enum JobError {
     /// The job cannot be turned into TOML.
     #[error("job not serialized")]
     Unwritable(#[source] toml::ser::Error),
+    /// A job cannot be packed, or its package not unpacked.
+    #[error("{file}: {what}")]
+    Package {
+        /// The package, or the file that does not go into it.
+        file: String,
+        /// What is wrong.
+        what: PackageError,
+    },
     /// A file cannot be written.
     #[error("{}: not written", .file.display())]
     Write {

@@ -5,6 +5,7 @@ mod atomic;
 mod depth_part;
 mod error;
 mod inputs;
+pub mod package;
 mod part_file;
 mod part_source;
 mod paths;

@@ -43,7 +43,7 @@ pub(in crate::document) fn absolute(path: &Path) -> Result<PathBuf, JobError> {
 }
 
 /// The job with every path that it names changed.
-fn with_paths(job: &Job, change: impl Fn(&str) -> Result<String, JobError>) -> Result<Job, JobError> {
+pub(super) fn with_paths(job: &Job, mut change: impl FnMut(&str) -> Result<String, JobError>) -> Result<Job, JobError> {
     let mut job = job.clone();
     let has_robot_file = !job.cell.robot.is_empty() && !Robot::is_shipped(&job.cell.robot);
     let robot = has_robot_file.then_some(&mut job.cell.robot);

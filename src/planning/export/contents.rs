@@ -3,7 +3,7 @@
 
 use super::conflict::ExportOf;
 use super::error::ExportError;
-use super::output_file::{DOSE, JOB, OutputFile, REPORT, WELD_BEAD, WELD_MASK, is_plain};
+use super::output_file::{DOSE, JOB, OutputFile, PAGE, REPORT, WELD_BEAD, WELD_MASK, is_plain};
 use super::program::{self, program, read_back, variant_program};
 use super::tables::{joints_csv, path_csv};
 use super::weld_files::{bead_ply, mask_png};
@@ -39,7 +39,12 @@ pub struct ExportInput<'a> {
     pub wording: Wording,
     /// What is written.
     pub options: ExportOptions,
+    /// Makes the report's page for people, where it is written as well.
+    pub page: Option<Page<'a>>,
 }
+
+/// Makes a page of the report, and of what takes how much of the program's time.
+pub type Page<'a> = &'a (dyn Fn(&Report, Option<&Breakdown>) -> String + Sync);
 
 /// What of an export is up to whoever asks for it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -48,6 +53,8 @@ pub struct ExportOptions {
     pub dose: bool,
     /// Which program of the plan is written.
     pub variant: Variant,
+    /// The report is written as a page for people as well.
+    pub page: bool,
 }
 
 impl ExportOptions {
@@ -68,7 +75,7 @@ pub fn files(
     of: &ExportOf,
     progress: &Progress,
 ) -> Result<(Vec<OutputFile>, Report), ExportError> {
-    MadeFiles::new(input, of, Vec::new(), progress)?.finished(of, Vec::new())
+    MadeFiles::new(input, of, Vec::new(), progress)?.finished(of, input.page, Vec::new())
 }
 
 /// All files of an export but the report, which lists what stands beside them.
@@ -96,7 +103,7 @@ impl MadeFiles {
         inputs: Vec<InputDigest>,
         progress: &Progress,
     ) -> Result<MadeFiles, ExportError> {
-        let ExportInput { job, part, surfaces, setup, plan: whole, findings, wording, options } = *input;
+        let ExportInput { job, part, surfaces, setup, plan: whole, findings, wording, options, .. } = *input;
         let mut job = job.clone();
         // With the patches of a scan the part has other facets than its file: what the job remembered stays.
         if surfaces.worked.is_none() {
@@ -155,9 +162,10 @@ impl MadeFiles {
     pub(super) fn finished(
         self,
         of: &ExportOf,
+        page: Option<Page<'_>>,
         beside: Vec<(StandingProgram, Vec<FileDigest>)>,
     ) -> Result<(Vec<OutputFile>, Report), ExportError> {
-        let MadeFiles { files: mut out, mut report, program, plan_sha256, .. } = self;
+        let MadeFiles { files: mut out, mut report, program, plan_sha256, times } = self;
         let variant = program.variant;
         let (others, kept): (Vec<StandingProgram>, Vec<Vec<FileDigest>>) = beside.into_iter().unzip();
         let own = Some(program).filter(|p| !p.names.is_empty());
@@ -170,6 +178,13 @@ impl MadeFiles {
             programs: own.into_iter().chain(others).collect(),
             files: out.iter().map(OutputFile::digest).chain(kept.into_iter().flatten()).collect(),
         });
+        if let Some(page) = page {
+            let page = OutputFile { name: PAGE.into(), bytes: page(&report, times.as_ref()).into_bytes() };
+            if let Some(written) = &mut report.written {
+                written.files.insert(out.len(), page.digest());
+            }
+            out.push(page);
+        }
         out.push(OutputFile { name: REPORT.into(), bytes: json(&report)? });
         Ok((out, report))
     }
@@ -205,8 +220,10 @@ fn sha256_of(program: &[ProgramFile]) -> String {
 pub(super) fn names_ahead(job: &Job, setup: &Setup, options: &ExportOptions) -> Vec<String> {
     let joints = setup.robot.is_some().then_some("joints.csv");
     let dose = options.has_dose(job).then_some(DOSE);
+    let page = options.page.then_some(PAGE);
     let weld = [WELD_MASK, WELD_BEAD].into_iter().filter(|_| job.weld.is_there());
-    let tables = [JOB, REPORT, "path.csv"].into_iter().chain(dose).chain(joints).chain(weld).map(str::to_owned);
+    let tables =
+        [JOB, REPORT, "path.csv"].into_iter().chain(dose).chain(joints).chain(page).chain(weld).map(str::to_owned);
     tables.chain(program::names_ahead(job, setup, options.variant)).collect()
 }
 

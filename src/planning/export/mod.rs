@@ -22,7 +22,7 @@ mod tables;
 mod weld_files;
 
 pub use conflict::{ConflictReason, ExportOf, FileConflict};
-pub use contents::{ExportInput, ExportOptions, files};
+pub use contents::{ExportInput, ExportOptions, Page, files};
 pub use error::ExportError;
 pub use output_file::OutputFile;
 pub use ownership::allowed;
@@ -113,7 +113,7 @@ pub fn write(
         stays = beside::programs_beside(&folder, &of, variant, Some(&made.plan_sha256), &names)?;
     }
     let times = made.times;
-    let (files, report) = made.finished(&of, stays)?;
+    let (files, report) = made.finished(&of, input.page, stays)?;
     let removed = commit::put_in_place(dir, &files, &of, may, progress)?;
     let path = |name: &String| dir.join(name);
     Ok(Exported {

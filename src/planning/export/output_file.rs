@@ -7,6 +7,8 @@ use crate::planning::report::FileDigest;
 pub(super) const JOB: &str = "job.toml";
 /// The report, which lists all other files.
 pub(super) const REPORT: &str = "report.json";
+/// The report as a page for people.
+pub(super) const PAGE: &str = "report.html";
 /// What lands.
 pub(super) const DOSE: &str = "dose.ply";
 /// The pixels of a weld's areas.
@@ -14,8 +16,7 @@ pub(super) const WELD_MASK: &str = "mask.png";
 /// The points of its beads.
 pub(super) const WELD_BEAD: &str = "bead.ply";
 /// Every file of an export that is no program, those of other versions included: all else is taken for one.
-const NOT_PROGRAMS: [&str; 9] =
-    [JOB, REPORT, "path.csv", "joints.csv", "air.csv", DOSE, "report.html", WELD_MASK, WELD_BEAD];
+const NOT_PROGRAMS: [&str; 9] = [JOB, REPORT, "path.csv", "joints.csv", "air.csv", DOSE, PAGE, WELD_MASK, WELD_BEAD];
 
 /// Whether a file that an export wrote belongs to its program.
 pub(super) fn is_program(name: &str) -> bool {

@@ -29,7 +29,7 @@ pub(super) fn draw_strip(ui: &egui::Ui, scale: &StripScale, strip: &AccessStrip,
         painter.circle(at, 6.0, theme::ACCENT, Stroke::new(1.5, Color32::WHITE));
     }
     painter.rect_stroke(scale.rect, 0, Stroke::new(1.0, line.gamma_multiply(0.3)), StrokeKind::Inside);
-    let font = egui::FontId::proportional(11.0);
+    let font = egui::FontId::proportional(12.0);
     let most = say!(access_most, angle = fixed(scale.most_deg, 0));
     painter.text(scale.rect.left_top() + vec2(3.0, 2.0), egui::Align2::LEFT_TOP, most, font.clone(), line);
     let end = say!(access_length, length = fixed(scale.length_mm, 1));

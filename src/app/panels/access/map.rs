@@ -67,7 +67,7 @@ fn draw_map(ui: &egui::Ui, rect: Rect, map: &AccessMap, place: &Place) {
         let at = on_map(rect, map, chosen);
         painter.circle(at, 5.0, Color32::WHITE, Stroke::new(2.0, Color32::BLACK));
     }
-    let font = egui::FontId::proportional(11.0);
+    let font = egui::FontId::proportional(12.0);
     painter.text(rect.center_top(), egui::Align2::CENTER_TOP, say!(access_lead), font, line);
 }
 

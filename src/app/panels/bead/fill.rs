@@ -1,6 +1,5 @@
 //! P3's relation between a bead's size and the distance of centres: which of them would make beads fill their layer.
 
-use super::super::super::theme;
 use super::super::fields::{Owner, SPACING};
 use super::group::LEAST_MM;
 use crate::document::{Job, Parameter};
@@ -48,7 +47,7 @@ pub(super) fn fill(ui: &mut egui::Ui, owner: Owner, job: &Job) -> Option<(&'stat
     }
     let mean_mm = bead.area_mm2() / spacing_mm;
     let text = say!(bead_panel_not_filled, mean = fixed(mean_mm, 2), planned = fixed(bead.height_mm(), 2));
-    ui.label(RichText::new(text).color(theme::ATTENTION));
+    ui.label(RichText::new(text).color(ui.visuals().warn_fg_color));
     let ways = [
         (Measure::Spacing, SPACING, Some(own_mm)),
         (Measure::Height, HEIGHT, Bead::of_width(bead.width_mm(), spacing_mm).map(|b| b.height_mm())),

@@ -179,7 +179,7 @@ fn measure(ui: &egui::Ui, painter: &Painter, sheet: &Sheet, bead: &Bead, drawn: 
         painter.line_segment(valley, stroke);
         let tops = [sheet.at([0.0, top_mm]), sheet.at([spacing_mm, top_mm])];
         painter.line_segment(tops, Stroke::new(0.7, stroke.color));
-        painter.text(valley[1], Align2::CENTER_BOTTOM, "r", FontId::proportional(11.0), stroke.color);
+        painter.text(valley[1], Align2::CENTER_BOTTOM, "r", FontId::proportional(12.0), stroke.color);
     }
 }
 
@@ -191,7 +191,7 @@ fn dimension(ui: &egui::Ui, painter: &Painter, [from, to]: [Pos2; 2], letter: &s
     for end in [from, to] {
         painter.line_segment([end - tick, end + tick], stroke);
     }
-    let galley = painter.layout_no_wrap(letter.to_owned(), FontId::proportional(11.0), color);
+    let galley = painter.layout_no_wrap(letter.to_owned(), FontId::proportional(12.0), color);
     let middle = Rect::from_center_size(from.lerp(to, 0.5), galley.size());
     painter.rect_filled(middle.expand2(vec2(2.0, 0.0)), 0, ui.visuals().panel_fill);
     painter.galley(middle.min, galley, color);

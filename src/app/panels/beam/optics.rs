@@ -2,7 +2,6 @@
 
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
-use super::super::super::theme;
 use super::super::numbers;
 use crate::beam::Optics;
 use crate::document::Edit;
@@ -27,7 +26,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         return;
     }
     let text = say!(tool_spot_is_set, spot = exact(beam.spot_mm));
-    ui.label(RichText::new(text).color(theme::ATTENTION));
+    ui.label(RichText::new(text).color(ui.visuals().warn_fg_color));
     take(ui, optics, spot, beam.spot_mm, actions);
 }
 

@@ -3,7 +3,6 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::recipe_library::LibraryChange;
-use super::super::super::theme;
 use super::super::compare::state::Compare;
 use super::dragged::{draggable, edit_giving};
 use super::shelf::Shelf;
@@ -28,7 +27,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         }
         forgotten(ui, context, actions);
         for why in &context.recipes.broken {
-            ui.label(RichText::new(why.sentence()).small().color(theme::WRONG));
+            ui.label(RichText::new(why.sentence()).small().color(ui.visuals().error_fg_color));
         }
         if ui.button(say!(library_compare)).on_hover_text(say!(library_compare_tip)).clicked() {
             let compare = Compare::of(context.document.job(), &context.session.selected_ids());
@@ -42,7 +41,7 @@ fn forgotten(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let Some(forgotten) = &context.session.forgotten else { return };
     ui.horizontal(|ui| {
         let removed = say!(library_removed, name = &forgotten.recipe.name);
-        ui.label(RichText::new(removed).color(theme::ATTENTION));
+        ui.label(RichText::new(removed).color(ui.visuals().warn_fg_color));
         let undo = ui.small_button(say!(library_undo));
         undo.widget_info(|| WidgetInfo::labeled(Role::Button, true, say!(library_undo_name)));
         if undo.clicked() {

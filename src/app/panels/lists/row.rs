@@ -3,7 +3,6 @@
 use super::super::super::actions::Actions;
 use super::super::super::command::Command;
 use super::super::super::context::Context;
-use super::super::super::theme;
 use super::super::library::{DraggedRecipe, draggable, edit_giving};
 use super::Dragged;
 use super::rows::List;
@@ -26,7 +25,7 @@ impl List<'_> {
             rename(ui, n, text.clone(), actions);
             return;
         }
-        let state = if self.is_clean { state_of(n, context) } else { None };
+        let state = if self.is_clean { state_of(n, context, ui.visuals()) } else { None };
         // From the right, so that a long name gives way to what is beside it.
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if let Some((word, color)) = state {
@@ -67,16 +66,16 @@ fn recipe_chip(ui: &mut egui::Ui, n: u32, recipe: &Recipe) {
 }
 
 /// What the plan says of a surface; nothing if it is out of date.
-fn state_of(n: u32, context: Context<'_>) -> Option<(String, egui::Color32)> {
+fn state_of(n: u32, context: Context<'_>, visuals: &egui::Visuals) -> Option<(String, egui::Color32)> {
     let row = context.plan()?.report.surfaces.iter().find(|s| s.surface == n)?;
     Some(if row.blocked_mm > 0.0 {
-        (say!(lists_blocked), theme::WRONG)
+        (say!(lists_blocked), visuals.error_fg_color)
     } else if row.missed_area_mm2 > 0.0 {
-        (say!(lists_missed), theme::ATTENTION)
+        (say!(lists_missed), visuals.warn_fg_color)
     } else if row.corrected_mm > 0.0 {
-        (say!(lists_corrected), theme::ATTENTION)
+        (say!(lists_corrected), visuals.warn_fg_color)
     } else {
-        (say!(lists_planned), theme::ACCENT)
+        (say!(lists_planned), visuals.hyperlink_color)
     })
 }
 

@@ -20,7 +20,7 @@ use eframe::egui::{self, Color32, RichText};
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     if let Some(why) = context.planning_error() {
         theme::heading(ui, &say!(problems_heading));
-        ui.label(RichText::new(why).color(theme::WRONG));
+        ui.label(RichText::new(why).color(ui.visuals().error_fg_color));
         changed_file::ui(ui, context, actions);
         return;
     }
@@ -72,7 +72,7 @@ fn found_in_file(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
 /// A finding, which leads to its place where it has one; what helps is told on hover.
 fn row(ui: &mut egui::Ui, notice: &Notice, of: &PlannedJob, actions: &mut Actions) {
     let sentence = notice.sentence_with(&Naming::of(&of.job));
-    let text = match color(notice) {
+    let text = match color(notice, ui.visuals()) {
         Some(color) => RichText::new(sentence).color(color),
         None => RichText::new(sentence),
     };
@@ -92,12 +92,12 @@ fn row(ui: &mut egui::Ui, notice: &Notice, of: &PlannedJob, actions: &mut Action
 }
 
 /// `None`: as other text.
-fn color(notice: &Notice) -> Option<Color32> {
+fn color(notice: &Notice, visuals: &egui::Visuals) -> Option<Color32> {
     match notice.severity() {
         // What a line misses may be next to nothing.
-        Severity::NotDone if matches!(notice, Notice::Missed { .. }) => Some(theme::ATTENTION),
-        Severity::Unsafe | Severity::NotDone => Some(theme::WRONG),
-        Severity::NotAsWanted => Some(theme::ATTENTION),
+        Severity::NotDone if matches!(notice, Notice::Missed { .. }) => Some(visuals.warn_fg_color),
+        Severity::Unsafe | Severity::NotDone => Some(visuals.error_fg_color),
+        Severity::NotAsWanted => Some(visuals.warn_fg_color),
         Severity::Found => None,
     }
 }

@@ -1,7 +1,6 @@
 //! The spacing that was achieved, and the remarks on the surface's lines.
 
 use super::super::super::context::Context;
-use super::super::super::theme;
 use crate::part::SurfaceId;
 use crate::text::{Sentence as _, fixed, id, say};
 use eframe::egui::{self, RichText};
@@ -24,7 +23,7 @@ pub(super) fn ui(ui: &mut egui::Ui, selected: &[SurfaceId], context: Context<'_>
             ui.label(told(say!(recipe_panel_spacing, least, greatest, wanted = fixed(wanted, 2))));
         }
         for (_, remark) in plan.remarks().filter(|r| r.0 == n) {
-            ui.label(RichText::new(told(remark.sentence())).small().color(theme::ATTENTION));
+            ui.label(RichText::new(told(remark.sentence())).small().color(ui.visuals().warn_fg_color));
         }
     }
 }

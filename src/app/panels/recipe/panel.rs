@@ -3,7 +3,6 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::recipe_library::LibraryChange;
-use super::super::super::theme;
 use super::values::values;
 use super::{achieved, choice, typed};
 use crate::document::{Edit, Recipe};
@@ -69,7 +68,7 @@ fn others(ui: &mut egui::Ui, selected: &[SurfaceId], recipe: &Recipe, context: C
     let others: Vec<String> = all.iter().filter(|n| !selected.contains(n)).map(SurfaceId::to_string).collect();
     if !others.is_empty() {
         let text = say!(recipe_panel_others, count = others.len(), surfaces = listed(others));
-        ui.label(RichText::new(text).small().color(theme::ATTENTION));
+        ui.label(RichText::new(text).small().color(ui.visuals().warn_fg_color));
     }
 }
 

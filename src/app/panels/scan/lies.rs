@@ -39,7 +39,7 @@ fn position(ui: &mut egui::Ui, laid: &LaidScan, context: Context<'_>, actions: &
                 take_rival(ui, i, rival, actions);
             }
             if is_in_doubt {
-                ui.label(RichText::new(say!(scan_panel_in_doubt)).color(theme::ATTENTION));
+                ui.label(RichText::new(say!(scan_panel_in_doubt)).color(ui.visuals().warn_fg_color));
             }
         }
     }
@@ -73,7 +73,7 @@ fn typed(ui: &mut egui::Ui, laid: &LaidScan, actions: &mut Actions) {
             ui.data_mut(|d| d.insert_temp(key, text));
         }
         match given {
-            Err(why) => drop(ui.label(RichText::new(theme::capital(&why)).color(theme::ATTENTION))),
+            Err(why) => drop(ui.label(RichText::new(theme::capital(&why)).color(ui.visuals().warn_fg_color))),
             Ok(given) => {
                 if ui.small_button(say!(scan_panel_take_matrix)).clicked() {
                     ui.data_mut(|d| d.remove::<String>(key));
@@ -90,7 +90,7 @@ fn line(row: &[f64]) -> String {
 }
 
 fn take_rival(ui: &mut egui::Ui, at: usize, rival: &RivalReport, actions: &mut Actions) {
-    ui.label(RichText::new(theme::capital(&rival.sentence())).color(theme::ATTENTION));
+    ui.label(RichText::new(theme::capital(&rival.sentence())).color(ui.visuals().warn_fg_color));
     let take = ui.small_button(say!(scan_panel_take_rival));
     let told = || say!(scan_panel_take_rival_name, rival = id(at + 1));
     take.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, told()));

@@ -23,7 +23,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     let given = context.document.job().scan.scanner(mount);
     let markers = context.session.markers.as_deref().or_else(|| given.and_then(Frame::points));
     if given.is_none() {
-        ui.label(RichText::new(theme::capital(&scan_not_placed())).color(theme::ATTENTION));
+        ui.label(RichText::new(theme::capital(&scan_not_placed())).color(ui.visuals().warn_fg_color));
     }
     if mount == Mount::PartInHand {
         ui.label(say!(scan_placing_part_in_hand));
@@ -103,7 +103,7 @@ fn table(ui: &mut egui::Ui, markers: &[PointPair], (mount, given): (Mount, Optio
         }
     });
     match &fitted {
-        Err(why) => drop(ui.label(RichText::new(theme::capital(&why.sentence())).color(theme::ATTENTION))),
+        Err(why) => drop(ui.label(RichText::new(theme::capital(&why.sentence())).color(ui.visuals().warn_fg_color))),
         Ok(frame) => drop(ui.label(RichText::new(frames::said(frame)).monospace().small())),
     }
     if now != markers {

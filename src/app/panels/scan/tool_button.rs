@@ -44,7 +44,7 @@ pub(super) fn radius(ui: &mut egui::Ui, radius_mm: &mut f64) -> Drawn {
 
 /// What to do now, as a line.
 pub(super) fn hint(ui: &mut egui::Ui, text: String) {
-    ui.label(egui::RichText::new(text).color(super::super::super::theme::ATTENTION));
+    ui.label(egui::RichText::new(text).color(ui.visuals().warn_fg_color));
 }
 
 impl Context<'_> {

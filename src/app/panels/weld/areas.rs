@@ -38,7 +38,7 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         });
     }
     for unmeasured in &measured.unmeasured {
-        ui.label(RichText::new(theme::capital(&unmeasured.sentence())).color(theme::ATTENTION));
+        ui.label(RichText::new(theme::capital(&unmeasured.sentence())).color(ui.visuals().warn_fg_color));
     }
 }
 

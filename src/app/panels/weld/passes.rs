@@ -22,12 +22,12 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     numbers::of_job(ui, Group::WeldPasses, context, actions);
     let goes_on = context.document.job().weld.goes_on;
     if let Some(held) = &report.held {
-        ui.label(RichText::new(theme::capital(&held.sentence())).color(theme::WRONG));
+        ui.label(RichText::new(theme::capital(&held.sentence())).color(ui.visuals().error_fg_color));
         if ui.button(say!(weld_panel_go_on)).on_hover_text(say!(weld_panel_go_on_tip)).clicked() {
             actions.grind(WeldEdit::GoesOn(true));
         }
     } else if goes_on {
-        ui.label(RichText::new(say!(weld_panel_goes_on)).color(theme::ATTENTION));
+        ui.label(RichText::new(say!(weld_panel_goes_on)).color(ui.visuals().warn_fg_color));
         if ui.button(say!(weld_panel_hold)).clicked() {
             actions.grind(WeldEdit::GoesOn(false));
         }
