@@ -181,7 +181,7 @@ impl App {
             Action::GoToTime(time_s) => self.go_to_time(time_s),
             Action::LookAt { in_part, reach_mm } => {
                 let (at, out) = (self.context().scene_from_part() * in_part, Vector3::repeat(reach_mm));
-                self.viewport.fit(Bounds { min: at - out, max: at + out });
+                self.glide_to_see(&in_part, Bounds { min: at - out, max: at + out });
             }
             Action::ApplyBetterSetup => self.apply_better_setup(),
             Action::DismissBetterSetup => {

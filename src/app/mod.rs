@@ -44,6 +44,7 @@ mod scene;
 mod selection;
 mod session;
 mod shortcuts;
+mod sight;
 mod simulation;
 mod spacing;
 mod suggestion_search;

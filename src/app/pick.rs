@@ -6,6 +6,7 @@ use super::context::Context;
 use super::dose::Clicked;
 use super::scan_tool::{self, ScanTool};
 use super::session::PointerTool;
+use super::sight::seeing;
 use super::{App, at_cursor, panels};
 use crate::document::Edit;
 use crate::part::Shape;
@@ -81,9 +82,26 @@ impl App {
     pub(super) fn focus_surface(&mut self, n: u32) {
         let (Some(part), Some(s)) = (&self.derived.part, self.derived.surfaces.get(n)) else { return };
         let place = self.context().scene_from_part();
-        if let Some(b) = Bounds::around(s.facets.iter().flat_map(|&f| part.mesh.corners(f as usize)).map(|p| place * p))
-        {
-            self.viewport.fit(b);
+        let mesh = &part.mesh;
+        let bounds = Bounds::around(s.facets.iter().flat_map(|&f| mesh.corners(f as usize)).map(|p| place * p));
+        let largest = s.facets.iter().max_by(|a, b| mesh.areas[**a as usize].total_cmp(&mesh.areas[**b as usize]));
+        if let (Some(bounds), Some(&facet)) = (bounds, largest) {
+            let [a, b, c] = mesh.corners(facet as usize);
+            self.glide_to_see(&Point3::from((a.coords + b.coords + c.coords) / 3.0), bounds);
+        }
+    }
+
+    /// Glides until the box fills the view, from where a place of the part is seen.
+    pub(super) fn glide_to_see(&mut self, in_part: &Point3<f64>, bounds: Bounds) {
+        let place = self.context().scene_from_part();
+        let now = self.viewport.camera;
+        let camera = self.derived.part.as_ref().map(|part| seeing(&now, &part.bvh, in_part, &place));
+        match (camera.filter(|camera| *camera != now), self.viewport.size()) {
+            (Some(mut camera), Some(size)) => {
+                camera.fit(&bounds, size);
+                self.viewport.glide_to(camera);
+            }
+            _ => self.viewport.fit(bounds),
         }
     }
 }

@@ -146,9 +146,17 @@ impl<'a> Context<'a> {
             air: self.session.show.is_on(Toggle::ConnectingMoves),
             before: self.session.show.is_on(Toggle::BeforeCorrection),
             only_pass: None,
+            current_pass: self.current_pass_with_details(),
             done: self.going_on_from().unwrap_or(0),
             frame_mm: 0.014 * size,
         }
+    }
+
+    /// The current pass, where anything is shown of single passes: all lines are laid anew with it.
+    fn current_pass_with_details(self) -> Option<usize> {
+        let show = &self.session.show;
+        let has_details = show.is_on(Toggle::PoseFrames) || show.is_on(Toggle::Beams);
+        has_details.then_some(self.session.playback.at.0)
     }
 
     /// The trail of the spot, and in the robot cell the arm.

@@ -16,7 +16,7 @@ use std::sync::Arc;
 pub struct PathLook {
     /// Path lines.
     pub lines: bool,
-    /// Frames at targets: x red = beam axis, y green = travel, z blue (P1 Fig. 13).
+    /// Frames at targets: x = beam axis, y = travel, z (P1 Fig. 13), in magenta, green and cyan.
     pub frames: bool,
     /// Beams from the part to the focus.
     pub beams: bool,
@@ -26,20 +26,33 @@ pub struct PathLook {
     pub before: bool,
     /// Only this pass.
     pub only_pass: Option<usize>,
+    /// The pass that is looked at: it has its frames and beams, of the others a few stand for all.
+    pub current_pass: Option<usize>,
     /// So many passes, from the first on, are done: their lines are dimmed.
     pub done: usize,
     /// Length of a frame's axes, mm.
     pub frame_mm: f64,
 }
 
-/// Frames and beams that are shown, at most; of more, every k-th.
+/// Frames and beams that are shown of a pass, at most; of more, every k-th.
 const MOST_FRAMES: usize = 500;
 const MOST_BEAMS: usize = 4000;
+/// Frames and beams of all passes together, beside those of the current one: more hide the part.
+const FRAMES_BESIDE: usize = 60;
+const BEAMS_BESIDE: usize = 240;
+/// Axes of frames, x, y and z: none is a colour of a state, nor of the triad in the corner.
+const AXES: [Rgb; 3] = [[226, 72, 214], [64, 184, 92], [62, 196, 226]];
 
 /// Draws a plan. `key` changes with the plan.
 pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     let item = |part: u32, segments: Vec<LineSegment>, width_px: f32| {
-        let flags = [u32::from(look.before), look.only_pass.map_or(0, |p| p as u32 + 1), look.done as u32, part];
+        let flags = [
+            u32::from(look.before),
+            look.only_pass.map_or(0, |p| p as u32 + 1),
+            look.done as u32,
+            part,
+            look.current_pass.map_or(0, |p| p as u32 + 1),
+        ];
         let key = Hasher::default().u32s(&[key as u32, (key >> 32) as u32]).u32s(&flags).f64s(&[look.frame_mm]);
         let (key, scene_from_item) = (key.finish().0 as u64, Isometry3::identity());
         LineItem { key, segments: Arc::new(segments), width_px, depth: Depth::Tested, scene_from_item }
@@ -53,12 +66,14 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
         items.push(item(1, lines.collect(), 1.4));
     }
     if look.beams {
-        let targets = thinned(shown(), count, MOST_BEAMS, look.before);
-        items.push(item(2, targets.map(|(t, settings)| beam(t, settings.defocus_mm, look.before)).collect(), 1.2));
+        let targets = looked_at(plan, look, count, [MOST_BEAMS, BEAMS_BESIDE]);
+        let beams = targets.into_iter().map(|(t, settings)| beam(t, settings.defocus_mm, look.before));
+        items.push(item(2, beams.collect(), 1.2));
     }
     if look.frames {
-        let targets = thinned(shown(), count, MOST_FRAMES, look.before);
-        items.push(item(3, targets.flat_map(|(t, settings)| frame(t, settings.defocus_mm, look)).collect(), 1.6));
+        let targets = looked_at(plan, look, count, [MOST_FRAMES, FRAMES_BESIDE]);
+        let frames = targets.into_iter().flat_map(|(t, settings)| frame(t, settings.defocus_mm, look));
+        items.push(item(3, frames.collect(), 1.6));
     }
     if look.air && look.only_pass.is_none() {
         items.push(item(4, air(plan), 1.0));
@@ -81,6 +96,22 @@ pub fn toolpath_item(lines: &[Arc<Toolpath>]) -> LineItem {
     let key = Hasher::default().f64s(&all).finish().0 as u64;
     let (depth, scene_from_item) = (Depth::Tested, Isometry3::identity());
     LineItem { key, segments: Arc::new(segments), width_px: 1.4, depth, scene_from_item }
+}
+
+/// The targets whose frames or beams are shown: of the current pass as many as fit, and a few of all; of all that are shown
+/// where none is current.
+fn looked_at<'a>(
+    plan: &'a Plan,
+    look: &PathLook,
+    count: usize,
+    [most, beside]: [usize; 2],
+) -> Vec<(&'a Target, &'a ProcessSettings)> {
+    let numbered = || plan.passes.iter().enumerate();
+    let current = numbered().filter(|(i, _)| look.current_pass == Some(*i)).map(|(_, p)| p);
+    let shown = numbered().filter(|(i, _)| look.only_pass.is_none_or(|p| p == *i)).map(|(_, p)| p);
+    let of_current = plan.passes.get(look.current_pass.unwrap_or(usize::MAX)).map_or(0, |p| p.targets.len());
+    let others = if look.current_pass.is_some() { beside } else { most };
+    thinned(current, of_current, most, look.before).chain(thinned(shown, count, others, look.before)).collect()
 }
 
 /// Every k-th target; those that interfere are kept more densely.
@@ -143,11 +174,7 @@ fn frame(t: &Target, defocus_mm: f64, look: &PathLook) -> [LineSegment; 3] {
     let y = crate::pose::target::travel(&t.o, &x);
     let at = if look.beams { t.p + x * defocus_mm } else { t.p };
     let l = look.frame_mm;
-    [
-        segment(at, at + x * l, [226, 48, 48]),
-        segment(at, at + y * l, [28, 158, 60]),
-        segment(at, at + x.cross(&y) * l, [44, 92, 226]),
-    ]
+    [segment(at, at + x * l, AXES[0]), segment(at, at + y * l, AXES[1]), segment(at, at + x.cross(&y) * l, AXES[2])]
 }
 
 fn air(plan: &Plan) -> Vec<LineSegment> {
@@ -188,8 +215,7 @@ pub fn marked(t: &Target, defocus_mm: f64, look: &PathLook, key: u64) -> (LineIt
 mod tests {
     use super::*;
 
-    #[test]
-    fn lines_that_are_done_are_dimmed() {
+    fn pass_of(count: u32) -> Pass {
         let target = |x: f64| Target {
             p: Point3::new(x, 0.0, 0.0),
             n: Vector3::z(),
@@ -201,17 +227,36 @@ mod tests {
             normal_hits: None,
             clearance_mm: None,
         };
-        let pass = Pass {
+        Pass {
             surface: 1,
             settings: ProcessSettings::default(),
             plane_normal: Vector3::y(),
             closed: false,
-            targets: vec![target(0.0), target(1.0)],
+            targets: (0..count).map(|i| target(f64::from(i))).collect(),
             line_points: 2,
             dense_points: 2,
             chord_error_mm: 0.0,
             splits: Vec::new(),
-        };
+        }
+    }
+
+    /// The pass that is looked at has its beams, and the others do not hide it.
+    #[test]
+    fn beams_of_the_current_pass_stand_out() {
+        let plan = Plan { passes: vec![pass_of(100); 50], ..Plan::default() };
+        let look =
+            |current_pass| PathLook { beams: true, frames: true, current_pass, frame_mm: 1.0, ..PathLook::default() };
+        let drawn =
+            |current| paths(&plan, &look(current), 7).iter().map(|item| item.segments.len()).collect::<Vec<_>>();
+        assert_eq!(drawn(None), [2500, 3 * 500], "every second, every tenth");
+        assert_eq!(drawn(Some(3)), [100 + 239, 3 * (100 + 60)]);
+        let keys = |current| paths(&plan, &look(current), 7).iter().map(|item| item.key).collect::<Vec<_>>();
+        assert_ne!(keys(Some(3)), keys(Some(4)), "they are drawn anew");
+    }
+
+    #[test]
+    fn lines_that_are_done_are_dimmed() {
+        let pass = pass_of(2);
         let plan = Plan { passes: vec![pass; 3], ..Plan::default() };
         let look = |done| PathLook { lines: true, done, frame_mm: 1.0, ..PathLook::default() };
         let drawn = |done| {
