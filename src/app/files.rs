@@ -10,11 +10,11 @@ use crate::beam::Obstacle;
 use crate::document::files::{self, JobError};
 use crate::document::{Edit, IfChanged, Remembered};
 use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, Page};
-use crate::planning::report::{PlanFinding, Report};
+use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
-use crate::program::{Breakdown, Variant};
+use crate::program::Variant;
 use crate::progress::Activity;
-use crate::text::{NamedSentence as _, Naming, Sentence as _, page_pictures, program_comment, report_page, say};
+use crate::text::{NamedSentence as _, Naming, Sentence as _, program_comment, report_page, say};
 use eframe::egui;
 use std::path::{Path, PathBuf};
 
@@ -141,9 +141,8 @@ impl App {
         self.exporting.clear();
         self.exporting.start(planned.key, Activity::Exporting, &*executor, move |progress| {
             let PlannedJob { part, surfaces, setup, plan, .. } = &*planned;
-            let pictures = if options.page { page_pictures(&planned) } else { Ok(Vec::new()) };
-            let page = |report: &Report, times: Option<&Breakdown>| report_page(report, (&job, plan), times, &pictures);
-            let page: Option<Page<'_>> = if options.page { Some(&page) } else { None };
+            let page = options.page.then(|| report_page(&planned, &job));
+            let page = page.as_ref().map(|page| page as Page<'_>);
             let input = ExportInput {
                 job: &job,
                 part,

@@ -33,7 +33,8 @@ impl Reading {
     /// Begins to read a part or a job.
     pub fn open(&mut self, path: PathBuf, executor: &dyn Executor) {
         self.start(executor, move |progress| {
-            let (mut job, file) = job_of(&unpacked(path)?)?;
+            let beside = path.parent().unwrap_or(Path::new(""));
+            let (mut job, file) = job_of(&package::unpacked(&path, beside).map_err(refused)?)?;
             let part = part_there(&mut job, file.as_ref().map(|f| f.path.as_path()), progress)?;
             Ok(Opened { part, document: Document::new(job, file), leftover: None })
         });
@@ -181,15 +182,6 @@ fn refused(e: JobError) -> Refused {
 fn read(file: &Path, camera: Option<&Path>, progress: &Progress) -> Result<Arc<Source>, Refused> {
     let read = files::read_source(file, camera, progress).map_err(refused)?;
     read.map(Arc::new).ok_or(Failure::Cancelled)
-}
-
-/// The job in a package, which is unpacked beside it; any other file as it is.
-fn unpacked(path: PathBuf) -> Result<PathBuf, Refused> {
-    if !package::is_package(&path) {
-        return Ok(path);
-    }
-    let beside = path.parent().unwrap_or(Path::new(""));
-    package::unpack(&path, &package::unpacked_in(beside, &path)).map_err(refused)
 }
 
 /// The job of a job file, or one for a part.

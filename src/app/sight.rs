@@ -54,8 +54,7 @@ mod tests {
     #[test]
     fn every_side_of_a_part_is_turned_into_sight() {
         let (bvh, place) = (cube(), Isometry3::rotation(Vector3::new(0.3, -0.2, 0.9)));
-        let (_, radius) = bvh.sphere_of_box().expect("facets");
-        let (middle, _) = bvh.sphere_of_box().expect("facets");
+        let (middle, radius) = bvh.sphere_of_box().expect("facets");
         let bounds = Bounds { min: middle - Vector3::repeat(radius), max: middle + Vector3::repeat(radius) };
         let camera = Camera::fitted(bounds, ViewSize::new(800.0, 600.0));
         let mut kept = 0;

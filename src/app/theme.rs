@@ -1,4 +1,4 @@
-//! Looks: spacing, the accent colour, one font size for numbers.
+//! Looks: fonts, sizes and colours of words, spacing, the accent colour.
 
 use eframe::egui::{self, Color32, CornerRadius, FontFamily, FontId, Stroke, TextStyle, Theme, vec2};
 
@@ -17,8 +17,8 @@ const SIZES: [(TextStyle, f32); 5] = [
     (TextStyle::Monospace, 13.0),
     (TextStyle::Heading, 18.0),
 ];
-/// No word is smaller, points.
-pub const SMALLEST: f32 = 12.0;
+/// No word of a panel is smaller, points.
+const SMALLEST: f32 = 12.0;
 
 /// Colours of words, each at least 4.5 times as bright, or dark, as panels and selected rows behind it (WCAG 2.1, 1.4.3).
 struct WordColors {

@@ -86,9 +86,9 @@ struct FrameText {
 }
 
 /// An origin lies no further than this from its base, mm: a hundred metres hold the longest track.
-pub const FARTHEST_MM: f64 = 100_000.0;
+pub const FARTHEST_ORIGIN_MM: f64 = 100_000.0;
 
-/// An angle has no more than ten turns, degrees: of far more the turn within 360° is lost in its digits.
+/// What is placed, a frame, a part or a clamp, is turned ten times round at most, to either side, degrees: of far more the turn within 360° is lost in its digits.
 pub const MOST_TURNS_DEG: f64 = 3600.0;
 
 /// Keys of the frames of a cell, and of a job's own.
@@ -187,7 +187,7 @@ impl TryFrom<FrameText> for Frame {
         let FrameText { position_mm, rz_ry_rx_deg, three_points, points, tip_poses } = text;
         match (position_mm, rz_ry_rx_deg, three_points, points, tip_poses) {
             (Some(position_mm), Some(turned), None, None, None) => {
-                within("position_mm", &position_mm, FARTHEST_MM)?;
+                within("position_mm", &position_mm, FARTHEST_ORIGIN_MM)?;
                 within("rz_ry_rx_deg", &turned, MOST_TURNS_DEG)?;
                 Ok(Frame::new(position_mm, turned))
             }

@@ -88,7 +88,7 @@ pub fn run(a: &RenderArguments) -> Result<CommandOutcome, CommandFailure> {
     }
     files::write_atomic(
         &a.out,
-        &png(&image).map_err(|e| CommandFailure::Failed(say!(cli_no_picture, reason = e.to_string())))?,
+        &png(&image).map_err(|e| CommandFailure::Failed(say!(picture_not_packed, reason = e.to_string())))?,
     )
     .map_err(CommandFailure::failed)?;
     print(&format!("{}\n", say!(cli_wrote, file = a.out.display().to_string())));

@@ -93,12 +93,12 @@ impl MergeTree {
         let (mut edges, ends) = in_ranges(dihedral_deg);
         let mut begin = 0;
         for end in ends {
-            progress.check()?;
             // Most edges lie within what flatter ones have joined (Osipov et al., The Filter-Kruskal Minimum Spanning
             // Tree Algorithm, 2009): they need no sorting.
             let mut open = 0;
             let range = &mut edges[begin..end];
             for i in 0..range.len() {
+                progress.check_at(i)?;
                 if mesh.pairs(range[i].1).any(|[f, g]| sets.root(f) != sets.root(g)) {
                     range.swap(open, i);
                     open += 1;
@@ -106,7 +106,8 @@ impl MergeTree {
             }
             begin = end;
             range[..open].par_sort_unstable();
-            for &(bits, e) in &range[..open] {
+            for (i, &(bits, e)) in range[..open].iter().enumerate() {
+                progress.check_at(i)?;
                 for [f, g] in mesh.pairs(e) {
                     let (a, b) = (sets.root(f), sets.root(g));
                     if a == b {

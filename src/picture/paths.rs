@@ -57,22 +57,25 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
         let (key, scene_from_item) = (key.finish().0 as u64, Isometry3::identity());
         LineItem { key, segments: Arc::new(segments), width_px, depth: Depth::Tested, scene_from_item }
     };
-    let shown = || plan.passes.iter().enumerate().filter(|(i, _)| look.only_pass.is_none_or(|p| p == *i)).map(|x| x.1);
-    let count: usize = shown().map(|p| p.targets.len()).sum();
+    let numbered = || plan.passes.iter().enumerate().filter(|(i, _)| look.only_pass.is_none_or(|p| p == *i));
+    // Of the current pass as many as fit, and a few of all; of all that are shown where none is current.
+    let current = look.current_pass.and_then(|pass| plan.passes.get(pass));
+    let looked_at = |most: usize, beside: usize| {
+        let others = if current.is_some() { beside } else { most };
+        thinned(current, most, look.before).chain(thinned(numbered().map(|(_, p)| p), others, look.before))
+    };
     let mut items = Vec::new();
     if look.lines {
-        let numbered = plan.passes.iter().enumerate().filter(|(i, _)| look.only_pass.is_none_or(|p| p == *i));
-        let lines = numbered.flat_map(|(i, p)| pass_lines(p, look.before, i < look.done));
+        let lines = numbered().flat_map(|(i, p)| pass_lines(p, look.before, i < look.done));
         items.push(item(1, lines.collect(), 1.4));
     }
     if look.beams {
-        let targets = looked_at(plan, look, count, [MOST_BEAMS, BEAMS_BESIDE]);
-        let beams = targets.into_iter().map(|(t, settings)| beam(t, settings.defocus_mm, look.before));
+        let beams = looked_at(MOST_BEAMS, BEAMS_BESIDE).map(|(t, settings)| beam(t, settings.defocus_mm, look.before));
         items.push(item(2, beams.collect(), 1.2));
     }
     if look.frames {
-        let targets = looked_at(plan, look, count, [MOST_FRAMES, FRAMES_BESIDE]);
-        let frames = targets.into_iter().flat_map(|(t, settings)| frame(t, settings.defocus_mm, look));
+        let frames =
+            looked_at(MOST_FRAMES, FRAMES_BESIDE).flat_map(|(t, settings)| frame(t, settings.defocus_mm, look));
         items.push(item(3, frames.collect(), 1.6));
     }
     if look.air && look.only_pass.is_none() {
@@ -98,29 +101,14 @@ pub fn toolpath_item(lines: &[Arc<Toolpath>]) -> LineItem {
     LineItem { key, segments: Arc::new(segments), width_px: 1.4, depth, scene_from_item }
 }
 
-/// The targets whose frames or beams are shown: of the current pass as many as fit, and a few of all; of all that are shown
-/// where none is current.
-fn looked_at<'a>(
-    plan: &'a Plan,
-    look: &PathLook,
-    count: usize,
-    [most, beside]: [usize; 2],
-) -> Vec<(&'a Target, &'a ProcessSettings)> {
-    let numbered = || plan.passes.iter().enumerate();
-    let current = numbered().filter(|(i, _)| look.current_pass == Some(*i)).map(|(_, p)| p);
-    let shown = numbered().filter(|(i, _)| look.only_pass.is_none_or(|p| p == *i)).map(|(_, p)| p);
-    let of_current = plan.passes.get(look.current_pass.unwrap_or(usize::MAX)).map_or(0, |p| p.targets.len());
-    let others = if look.current_pass.is_some() { beside } else { most };
-    thinned(current, of_current, most, look.before).chain(thinned(shown, count, others, look.before)).collect()
-}
-
 /// Every k-th target; those that interfere are kept more densely.
 fn thinned<'a>(
-    passes: impl Iterator<Item = &'a Pass>,
-    count: usize,
+    passes: impl IntoIterator<Item = &'a Pass, IntoIter: Clone>,
     most: usize,
     before: bool,
 ) -> impl Iterator<Item = (&'a Target, &'a ProcessSettings)> {
+    let passes = passes.into_iter();
+    let count: usize = passes.clone().map(|p| p.targets.len()).sum();
     let every = count.div_ceil(most).max(1);
     passes
         .flat_map(|p| p.targets.iter().map(|t| (t, &p.settings)))

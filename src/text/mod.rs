@@ -64,7 +64,7 @@ pub(crate) use list::{listed, listed_clauses};
 pub use naming::{NamedSentence, Naming};
 pub use notice::{example, notice_line, remedy};
 pub(crate) use number::{clock, exact, fixed, hour_and_minute, percent, rough, short};
-pub use page::{PagePicture, page_pictures, report_page};
+pub use page::report_page;
 pub(crate) use part::with_option;
 pub(crate) use picture::{legend_entry, legend_mark, spacing_labels};
 pub use program_comment::program_comment;

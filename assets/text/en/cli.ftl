@@ -54,7 +54,6 @@ cli_not_a_view = "{ $text }": give one of { $views }
 cli_markers_of = { $file }: { $scan }: { $what }
 cli_no_json = the result cannot be written as JSON: { $reason }
 cli_no_path = { $file }: its full path cannot be found: { $reason }
-cli_no_picture = the picture cannot be packed: { $reason }
 cli_not_planned = { $job }: cannot be planned: { $reason }
 cli_part_changed = the part { $file } has changed since the job was saved, and what the job says cannot be carried over completely: { $told }; open the job in the window to see it and to choose again
 cli_help_overwrite = { $why }; give --overwrite to replace them, or choose another folder

@@ -8,7 +8,7 @@ page_result = Result
 page_not_done = What is not done, and why
 page_all_done = Everything that was chosen is done
 page_no_pictures = No pictures: { $why }
-page_no_picture = the picture cannot be packed: { $reason }
+picture_not_packed = the picture cannot be packed: { $reason }
 page_picture_surfaces = Surfaces to clean and the path
 page_picture_top = From above
 

@@ -54,7 +54,6 @@ cli_not_a_view = “{ $text }”：请给出其中之一：{ $views }
 cli_markers_of = { $file }：{ $scan }：{ $what }
 cli_no_json = 结果无法写成 JSON：{ $reason }
 cli_no_path = { $file }：无法确定其完整路径：{ $reason }
-cli_no_picture = 图片无法编码：{ $reason }
 cli_not_planned = { $job }：无法规划：{ $reason }
 cli_part_changed = 零件 { $file } 在作业保存后有改动，作业中的内容无法全部沿用：{ $told }；请在窗口中打开作业查看，并重新选择
 cli_help_overwrite = { $why }；请加 --overwrite 替换这些文件，或另选文件夹

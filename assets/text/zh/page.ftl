@@ -8,7 +8,7 @@ page_result = 结果
 page_not_done = 未完成的内容及原因
 page_all_done = 所选内容全部完成
 page_no_pictures = 没有图片：{ $why }
-page_no_picture = 图片无法打包：{ $reason }
+picture_not_packed = 图片无法编码：{ $reason }
 page_picture_surfaces = 待清洗面与路径
 page_picture_top = 俯视图
 

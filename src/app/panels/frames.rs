@@ -5,7 +5,7 @@ use super::super::actions::Actions;
 use super::super::context::Context;
 use super::entry::{Entry, refused};
 use crate::cell::calibration::CalibrationNote;
-use crate::cell::frame::{FARTHEST_MM, MOST_TURNS_DEG};
+use crate::cell::frame::{FARTHEST_ORIGIN_MM, MOST_TURNS_DEG};
 use crate::cell::{Frame, Mount};
 use crate::document::Edit;
 use crate::document::model::JobCell;
@@ -153,7 +153,7 @@ fn heading(ui: &mut egui::Ui, row: &Row, own: Option<&Own>, of_cell: &Frame) -> 
 pub(super) fn figures(ui: &mut egui::Ui, name: &str, tip: &str, frame: &mut Frame) -> bool {
     let mut changed = false;
     let lines = [
-        (["x", "y", "z"], say!(unit_mm), FARTHEST_MM, 0.5, &mut frame.position_mm),
+        (["x", "y", "z"], say!(unit_mm), FARTHEST_ORIGIN_MM, 0.5, &mut frame.position_mm),
         (["RZ", "RY", "RX"], say!(unit_deg), MOST_TURNS_DEG, 0.2, &mut frame.rz_ry_rx_deg),
     ];
     for (axes, unit, most, speed, values) in lines {

@@ -3,7 +3,7 @@
 //! From one branch and spin to another every joint goes the same way, whatever turns it is read at: the way is worked
 //! out once, and a state has one predecessor there at most, the one that is read at the same turns.
 
-use super::rules::{OUT, Rules, SIDE_BY_SIDE, STARTED_ANEW, TargetStates, most_deg, packed, turns_between};
+use super::rules::{OUT, Rules, SIDE_BY_SIDE, STARTED_ANEW, TargetStates, most_deg, packed, whole_turns};
 use crate::cell::Joints;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -90,7 +90,14 @@ impl Rules<'_> {
 /// far.
 fn way(before: &TargetStates, states: Range<usize>, to: &Joints, most: &Joints) -> Option<Way> {
     let from = &before.states.get(states.clone())?.first()?.joints_deg;
-    let turns = turns_between(from, to);
-    let goes_too_far = |j: usize| (to[j] - from[j] - 360.0 * f64::from(turns[j])).abs() > most[j] + ROUNDING_DEG;
-    (!(0..6).any(goes_too_far)).then(|| Way { states, turns: packed(&turns) })
+    let mut turns = [0; 6];
+    // The last joint turns most.
+    for j in (0..6).rev() {
+        let moved = to[j] - from[j];
+        turns[j] = whole_turns(moved);
+        if (moved - 360.0 * f64::from(turns[j])).abs() > most[j] + ROUNDING_DEG {
+            return None;
+        }
+    }
+    Some(Way { states, turns: packed(&turns) })
 }

@@ -74,7 +74,7 @@ impl TargetStates {
         let state_costs = states.iter().map(|s| rules.state_cost(s)).collect();
         let turns = states
             .chunk_by(|a, b| (a.branch, a.spin) == (b.branch, b.spin))
-            .flat_map(|alike| alike.iter().map(|s| packed(&turns_between(&alike[0].joints_deg, &s.joints_deg))))
+            .flat_map(|alike| alike.iter().map(|s| packed(&turns_from(&alike[0], s))))
             .collect();
         let cost = vec![f64::INFINITY; states.len()];
         TargetStates { cost, states, state_costs, left_out: f64::INFINITY, begin, turns }
@@ -101,9 +101,14 @@ impl TargetStates {
     }
 }
 
-/// Whole turns from some joints to others, to the nearest.
-pub(super) fn turns_between(from: &Joints, to: &Joints) -> [i32; 6] {
-    std::array::from_fn(|j| ((to[j] - from[j]) / 360.0).round() as i32)
+/// By how many turns the joints of a state differ from those of another reading of the same solution.
+fn turns_from(first: &ArmState, other: &ArmState) -> [i32; 6] {
+    std::array::from_fn(|j| whole_turns(other.joints_deg[j] - first.joints_deg[j]))
+}
+
+/// Whole turns in a way, to the nearest. Most ways have none, and rounding is dear.
+pub(super) fn whole_turns(deg: f64) -> i32 {
+    if deg.abs() <= 180.0 { 0 } else { (deg / 360.0).round() as i32 }
 }
 
 /// Turns of all joints as one number; those of a way are the sum of those of its pieces. No joint is read at more than

@@ -12,15 +12,14 @@ use crate::document::{Chosen, Edit, Job, ScanEdit, files};
 use crate::part::Source;
 use crate::planning::cures::Cure;
 use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, Exported, FileConflict, Page};
-use crate::planning::report::{PlanFinding, Report};
+use crate::planning::report::PlanFinding;
 use crate::planning::{self, FromPassError, Pipeline, PlanError, PlannedJob, PlanningError, advice};
-use crate::program::{Breakdown, DRY_RUN_PERCENT, Variant};
+use crate::program::{DRY_RUN_PERCENT, Variant};
 use crate::progress::Progress;
 use crate::scan;
 use crate::scan::file::ScanFileError;
 use crate::text::{
-    NamedSentence as _, Naming, Sentence as _, clock, exact, page_pictures, program_comment, report_lines, report_page,
-    say,
+    NamedSentence as _, Naming, Sentence as _, clock, exact, program_comment, report_lines, report_page, say,
 };
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -92,12 +91,8 @@ pub fn run(a: &PlanArguments) -> Result<CommandOutcome, CommandFailure> {
 /// Plans one job and writes its files.
 fn write(a: &PlanArguments, of: &PlanRun<'_>) -> Result<WrittenPlan, CommandFailure> {
     // A package is unpacked into the plan's folder: nothing is left anywhere else.
-    let unpacked = if package::is_package(of.input) {
-        Some(package::unpack(of.input, &package::unpacked_in(&of.out, of.input)).map_err(CommandFailure::failed)?)
-    } else {
-        None
-    };
-    let (job, job_file) = opened(unpacked.as_deref().unwrap_or(of.input))?;
+    let input = package::unpacked(of.input, &of.out).map_err(CommandFailure::failed)?;
+    let (job, job_file) = opened(&input)?;
     let job_file = job_file.as_deref();
     // Under the job's own numbers, before options give others.
     let (mut job, source, findings) = part_of(job, job_file)?;
@@ -139,11 +134,12 @@ pub(in crate::cli) fn plan_and_write(
     tell_of_file(named, planned.report.findings.iter().filter_map(PlanFinding::in_file));
     tell_of_cell(&job, setup);
     let wording = program_comment;
-    let pictures = if options.page { page_pictures(&planned) } else { Ok(Vec::new()) };
-    let page = |report: &Report, times: Option<&Breakdown>| report_page(report, (&job, plan), times, &pictures);
-    let page: Option<Page<'_>> = if options.page { Some(&page) } else { None };
-    let input = ExportInput { job: &job, part, surfaces, setup, plan, findings, wording, options, page };
-    let exported = export::write(out, &input, job_file, overwrite, &Progress::default()).map_err(not_exported)?;
+    let exported = {
+        let page = options.page.then(|| report_page(&planned, &job));
+        let page = page.as_ref().map(|page| page as Page<'_>);
+        let input = ExportInput { job: &job, part, surfaces, setup, plan, findings, wording, options, page };
+        export::write(out, &input, job_file, overwrite, &Progress::default()).map_err(not_exported)?
+    };
     Ok(WrittenPlan { pipeline, planned, job, exported })
 }
 

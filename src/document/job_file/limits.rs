@@ -1,7 +1,7 @@
 //! Whether the numbers of a job file can be, each by itself, and the line of what cannot.
 
 use super::error::JobFileError;
-use crate::cell::frame::OF_SCANNER;
+use crate::cell::frame::{MOST_TURNS_DEG, OF_SCANNER};
 use crate::document::PARAMETERS;
 use crate::document::model::{AreaChoice, Job, PatchChoice, ScanRegion};
 use crate::document::value_error::RecipeError;
@@ -12,9 +12,6 @@ use crate::scan::cleaning::Step;
 /// So far a part, a clamp or a place may lie from the origin, mm: 10 000 km, which is what coordinates of a survey come
 /// to. Beyond, a double has steps of thousandths, and no robot has any business.
 pub const FARTHEST_MM: f64 = 1e10;
-
-/// So far a part or a clamp may be turned, degrees: ten times round, to either side.
-pub const MOST_TURNS_DEG: f64 = 3600.0;
 
 /// More neighbours than this tell no more of noise and cost memory; 20 are usual.
 const MOST_NEIGHBOURS: f64 = 1000.0;

@@ -9,7 +9,7 @@ mod tables;
 mod version;
 
 pub use error::JobFileError;
-pub use limits::{FARTHEST_MM, MOST_TURNS_DEG};
+pub use limits::FARTHEST_MM;
 pub use version::WRITTEN;
 
 use super::chosen::Chosen;

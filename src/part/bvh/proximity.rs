@@ -4,6 +4,7 @@
 //! A question of yes or no ends at the first facet that is near. A distance is sought in the nearer
 //! box first, and no box is entered that keeps farther away than what was found.
 
+use super::aabb::Aabb;
 use super::build::Node;
 use super::prepared::{SegmentForBoxes, SegmentForFacets, Turn};
 use super::{Bvh, ray_hit_mm};
@@ -35,23 +36,15 @@ impl Bvh {
     pub fn near_segment(&self, from: &Point3<f64>, to: &Point3<f64>, reach_mm: f64) -> bool {
         let segment = SegmentForFacets::new(from, to);
         let sides = SegmentForBoxes::new(&segment);
-        let mut stack = [0u32; 96];
-        let mut depth = usize::from(!self.nodes.is_empty());
-        while depth > 0 {
-            depth -= 1;
-            let node = &self.nodes[stack[depth] as usize];
-            if sides.gap(&node.bounds) > reach_mm {
-                continue;
-            }
-            if node.count == 0 {
-                stack[depth] = node.at;
-                stack[depth + 1] = node.at + 1;
-                depth += 2;
-            } else if self.leaf(node).iter().any(|c| segment.is_near(c, reach_mm)) {
-                return true;
-            }
-        }
-        false
+        let mut near = false;
+        self.visit_near_boxes(
+            |lo, hi| sides.gap(&Aabb { lo: *lo, hi: *hi }) <= reach_mm,
+            |_, corners| {
+                near = segment.is_near(corners, reach_mm);
+                !near
+            },
+        );
+        near
     }
 
     /// Visits every facet of a leaf whose box `near` does not rule out, until `visit` returns false.

@@ -4,31 +4,28 @@
 mod html;
 mod pictures;
 
-pub use pictures::page_pictures;
-
 use super::notice::notice_line;
 use super::report::figures;
 use super::scan::scan_lines;
 use super::{Naming, Sentence as _, clock, dose_lines, fixed, language, say};
 use crate::document::Job;
 use crate::part::SurfaceId;
+use crate::planning::PlannedJob;
 use crate::planning::plan::Plan;
 use crate::planning::report::{Notice, PlanFinding, Report, Severity, SurfaceReport, notices_worst_first};
 use crate::program::Breakdown;
 use html::Html;
+use pictures::{PagePicture, page_pictures};
 
-/// A picture of the page.
-#[derive(Clone, Debug)]
-pub struct PagePicture {
-    /// What it shows.
-    pub name: String,
-    /// A PNG file.
-    pub png: Vec<u8>,
+/// What makes the page of a plan that is exported for a job, its pictures drawn: HTML, of the report and the times, which
+/// are not known without a robot.
+pub fn report_page(planned: &PlannedJob, job: &Job) -> impl Fn(&Report, Option<&Breakdown>) -> String + Sync {
+    let pictures = page_pictures(planned);
+    move |report, times| page_of(report, (job, &planned.plan), times, &pictures)
 }
 
-/// The page of a plan that is being exported, as HTML. `pictures`: or why there are none. `times`: not known without a
-/// robot.
-pub fn report_page(
+/// The page. `pictures`: or why there are none.
+fn page_of(
     report: &Report,
     (job, plan): (&Job, &Plan),
     times: Option<&Breakdown>,

@@ -6,8 +6,9 @@ use super::super::super::dialogs::Purpose;
 use super::super::super::theme;
 use super::super::entry::{Entry, refused};
 use crate::beam::Obstacle;
+use crate::cell::frame::MOST_TURNS_DEG;
 use crate::document::Edit;
-use crate::document::job_file::{FARTHEST_MM, MOST_TURNS_DEG};
+use crate::document::job_file::FARTHEST_MM;
 use crate::text::{id, say};
 use eframe::egui;
 

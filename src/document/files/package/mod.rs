@@ -10,7 +10,7 @@ mod unpack;
 
 pub use error::PackageError;
 pub use pack::pack;
-pub use unpack::{is_package, unpack, unpacked_in};
+pub use unpack::{is_package, unpack, unpacked, unpacked_in};
 
 use serde::{Deserialize, Serialize};
 

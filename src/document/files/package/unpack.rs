@@ -20,6 +20,14 @@ pub fn is_package(file: &Path) -> bool {
     file.extension().is_some_and(|e| e.eq_ignore_ascii_case(ENDING)) && begins()
 }
 
+/// The job in a package, which is unpacked into `NAME_files` within a folder; any other file as it is.
+///
+/// # Errors
+/// As [`unpack`].
+pub fn unpacked(file: &Path, within: &Path) -> Result<PathBuf, JobError> {
+    if is_package(file) { unpack(file, &unpacked_in(within, file)) } else { Ok(file.to_path_buf()) }
+}
+
 /// The folder that a package is unpacked into, within another one: `NAME_files`.
 pub fn unpacked_in(folder: &Path, package: &Path) -> PathBuf {
     folder.join(format!("{}_files", stem(package)))
