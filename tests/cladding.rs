@@ -205,8 +205,8 @@ fn a_least_tilt_lets_nothing_return_into_the_head() {
 
 #[test]
 fn the_readme_tells_a_job_that_can_be_planned() {
-    let readme = include_str!("../README.md");
-    let (_, rest) = readme.split_once("## Cladding").expect("a section");
+    let reference = include_str!("../docs/reference.md");
+    let (_, rest) = reference.split_once("## Cladding").expect("a section");
     let text = rest.split_once("```toml\n").and_then(|(_, t)| t.split_once("```")).expect("a job").0;
     let job: Job = toml::from_str(text).expect("reads");
     job.check().expect("sound");
