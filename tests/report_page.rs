@@ -128,9 +128,10 @@ fn the_window_writes_the_same_page() {
     let answers = Answers::default();
     answers.0.lock().expect("not poisoned").push((Purpose::Export, by_window.clone()));
     let mut h = window(Some(job.clone()), &answers);
-    click(&mut h, "Report as a page, too");
     h.state_mut().give(WindowCommand::Export, &[]);
     settle(&mut h);
+    click(&mut h, "Report as a page, too");
+    click(&mut h, "Export");
     let mut run = Command::new(env!("CARGO_BIN_EXE_clearbeam"));
     run.args(["plan", "--report"]).arg(&job).arg("--out").arg(&by_command);
     assert!(run.output().expect("runs").status.code().is_some_and(|code| code == 0 || code == 3));

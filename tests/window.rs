@@ -57,6 +57,8 @@ fn the_whole_job_and_the_command_line_writes_the_same() {
     assert!(h.query_by_label("pass 3 · point 1").is_some(), "stepping shows where it is");
     snapshot(&mut h, "planned");
     click(&mut h, "Export program…");
+    assert!(h.query_by_label_contains("Everything on the list to clean is done").is_some());
+    click(&mut h, "Export");
 
     let from_cli = folder.path().join("from command line");
     let status = std::process::Command::new(env!("CARGO_BIN_EXE_clearbeam"))

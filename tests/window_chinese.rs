@@ -52,14 +52,24 @@ fn nothing_is_said_in_english() {
         window_in("zh", Some("workpiece.toml"))
     };
     assert_chinese(&h);
-    for heading in ["边缘、衔接、遍数", "光学参数", "夹具", "面的工艺配方", "工艺配方库", "路径点、引入引出"]
-    {
-        h.get_by_label(heading).scroll_to_me();
+    let folded = [
+        ("路径", &["边缘、衔接、遍数", "面的工艺配方", "工艺配方库", "路径点、引入引出"][..]),
+        ("光束", &["光学参数", "夹具"]),
+        ("零件", &[]),
+        ("机器人", &[]),
+        ("剂量", &[]),
+    ];
+    for (tab, headings) in folded {
+        h.get_by_label(&format!("设置：{tab}")).click();
         settle(&mut h);
-        h.get_by_label(heading).click();
-        settle(&mut h);
+        for heading in headings {
+            h.get_by_label(heading).scroll_to_me();
+            settle(&mut h);
+            h.get_by_label(heading).click();
+            settle(&mut h);
+        }
+        assert_chinese(&h);
     }
-    assert_chinese(&h);
 }
 
 #[test]

@@ -8,8 +8,8 @@ use clearbeam::document::{Document, Edit, Journal, files, save};
 use clearbeam::part::SurfaceId;
 use clearbeam::sample::{Triangles, solids, stl_bytes};
 use common::glow_renderer::GlowTestRenderer;
-use common::window::{Answers, click, press, reveal, settle, window};
-use eframe::egui::{self, Key, Modifiers, Role};
+use common::window::{Answers, click, press, reveal, settle, tab, window};
+use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use std::path::{Path, PathBuf};
@@ -166,13 +166,17 @@ fn an_export_never_replaces_what_is_not_its_own() {
     answers.0.lock().expect("no panic").push((Purpose::Export, out.path().to_path_buf()));
     let mut h = window(Some(file), &answers);
     press(&mut h, Modifiers::COMMAND, Key::E);
+    click(&mut h, "Export");
     let program = out.path().join("MZ04-01-A.001");
     let text = std::fs::read_to_string(&program).expect("exported");
     std::fs::write(&program, text.replace("R=10.0", "R=11.0")).expect("changed by hand");
     press(&mut h, Modifiers::COMMAND, Key::E);
-    assert!(shows(&h, "Nothing was written") && shows(&h, "MZ04-01-A.001 was changed by hand"));
+    assert!(shows(&h, "MZ04-01-A.001 was changed by hand"));
     assert!(std::fs::read_to_string(&program).expect("there").contains("R=11.0"));
-    click(&mut h, "Overwrite");
+    click(&mut h, "Cancel");
+    assert!(std::fs::read_to_string(&program).expect("there").contains("R=11.0"));
+    press(&mut h, Modifiers::COMMAND, Key::E);
+    click(&mut h, "Replace and export");
     assert_eq!(std::fs::read_to_string(&program).expect("there"), text);
 }
 
@@ -242,6 +246,7 @@ fn a_plan_with_nothing_to_do_is_called_that() {
     answers.0.lock().expect("no panic").push((Purpose::Export, out.path().to_path_buf()));
     let mut h = window(Some(file), &answers);
     press(&mut h, Modifiers::COMMAND, Key::E);
+    click(&mut h, "Export");
     assert!(out.path().join("MZ04-01-A.001").exists());
     h.state_mut().set("layers.shortest_mm", 1000.0);
     settle(&mut h);
@@ -252,6 +257,7 @@ fn a_plan_with_nothing_to_do_is_called_that() {
         "among the problems"
     );
     press(&mut h, Modifiers::COMMAND, Key::E);
+    click(&mut h, "Export");
     assert!(!out.path().join("MZ04-01-A.001").exists(), "the program of yesterday is gone");
     assert!(std::fs::read_to_string(out.path().join("report.json")).expect("there").contains("nothing_planned"));
 }
@@ -268,11 +274,7 @@ fn corners_are_joined_otherwise_with_what_is_said_of_surfaces_and_back() {
     std::fs::write(&file, text).expect("writes");
     let mut h = window(Some(file), &Answers::default());
     assert_eq!(h.state().surfaces().len(), 7, "a job of before welds equal corners alone");
-    // A menu has the same name.
-    h.get_by_role_and_label(Role::DisclosureTriangle, "Part").scroll_to_me();
-    settle(&mut h);
-    h.get_by_role_and_label(Role::DisclosureTriangle, "Part").click();
-    settle(&mut h);
+    tab(&mut h, "Part");
     reveal(&mut h, "a rounding apart");
     click(&mut h, "a rounding apart");
     assert_eq!(h.state().surfaces().len(), 6);

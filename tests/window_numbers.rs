@@ -4,8 +4,8 @@
 mod common;
 
 use clearbeam::app::App;
-use common::window::{Answers, job_on, says, settle, type_into, window};
-use eframe::egui::{Key, Modifiers, Role};
+use common::window::{Answers, click, job_on, reveal, says, tab, type_into, window};
+use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
@@ -17,13 +17,21 @@ const ODD: &str = "[part.placement]\nrotation_deg = [0.0, 0.0, 725.123456]\n\
     [cell]\nrobot = \"irb1200\"\n[cell.base_from_laser]\nposition_mm = [20000.0, 0.123456, 0.0]\n\
     rz_ry_rx_deg = [0.0, 400.0, 0.0]\n";
 
+/// Shows every tab, with all that is folded in it.
 fn open_all(h: &mut Harness<'_, App>) {
-    for header in ["Targets, leads", "More on surfaces", "Part", "Optics", "Clamps", "Rim, joins, passes"] {
-        // *Part* is a menu as well.
-        h.get_by_role_and_label(Role::DisclosureTriangle, header).scroll_to_me();
-        settle(h);
-        h.get_by_role_and_label(Role::DisclosureTriangle, header).click();
-        settle(h);
+    let folded = [
+        ("Robot", &[][..]),
+        ("Dose", &[]),
+        ("Part", &["More on surfaces"]),
+        ("Beam", &["Optics", "Clamps"]),
+        ("Path", &["Targets, leads", "Rim, joins, passes"]),
+    ];
+    for (name, headers) in folded {
+        tab(h, name);
+        for header in headers {
+            reveal(h, header);
+            click(h, header);
+        }
     }
 }
 

@@ -7,7 +7,7 @@ mod common;
 
 use clearbeam::app::App;
 use common::window::{
-    Answers, click, drag, job_on, menu_in_the_middle, press, reveal, sample, says, snapshot, type_into, window,
+    Answers, click, drag, job_on, menu_in_the_middle, press, reveal, sample, says, snapshot, tab, type_into, window,
     window_with_recipes,
 };
 use eframe::egui::{Key, Modifiers, Role};
@@ -30,8 +30,11 @@ fn open(h: &mut Harness<'_, App>, header: &str) {
 }
 
 /// The job's power, beside which a recipe's may be shown.
-fn own_power(h: &Harness<'_, App>) -> Option<String> {
-    h.get_by_role_and_label(Role::SpinButton, "Power").accesskit_node().value()
+fn own_power(h: &mut Harness<'_, App>) -> Option<String> {
+    tab(h, "Beam");
+    let power = h.get_by_role_and_label(Role::SpinButton, "Power").accesskit_node().value();
+    tab(h, "Path");
+    power
 }
 
 fn row(n: u32) -> &'static str {
@@ -101,7 +104,7 @@ fn a_recipe_is_given_by_button_marked_changed_and_taken_away() {
     assert!(!shows(&h, "recipe reset Power"), "the job's own");
     type_into(&mut h, "recipe Power", "750");
     assert!(shows(&h, "recipe reset Power"));
-    assert_eq!(own_power(&h).as_deref(), Some("500 W"), "the job's stays");
+    assert_eq!(own_power(&mut h).as_deref(), Some("500 W"), "the job's stays");
     click(&mut h, "recipe reset Power");
     assert!(!shows(&h, "recipe reset Power"));
     reveal(&mut h, "recipe reset Spacing");

@@ -7,7 +7,7 @@ mod common;
 use clearbeam::app::App;
 use clearbeam::document::Edit;
 use clearbeam::path::Direction;
-use common::window::{Answers, click, job_on, press, sample, settle, snapshot, window};
+use common::window::{Answers, click, job_on, press, sample, settle, snapshot, tab, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, Node};
@@ -145,8 +145,7 @@ fn a_robot_is_chosen_and_says_why_it_refuses() {
     click(&mut h, "surface 1 freeform");
     press(&mut h, Modifiers::NONE, Key::Enter);
     assert!(h.query_by_label("time").is_none(), "without a robot passes are stepped through");
-    h.get_by_label("Robot").scroll_to_me();
-    settle(&mut h);
+    tab(&mut h, "Robot");
     h.get_by_role_and_label(egui::accesskit::Role::ComboBox, "Robot").click();
     settle(&mut h);
     click(&mut h, "NACHI MZ04");

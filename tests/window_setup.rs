@@ -5,7 +5,7 @@
 mod common;
 
 use clearbeam::app::App;
-use common::window::{Answers, click, drag, job_on, press, reveal, settle, snapshot, type_into, window};
+use common::window::{Answers, bring, click, drag, job_on, press, reveal, settle, snapshot, type_into, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -33,7 +33,8 @@ fn left_out(h: &Harness<'_, App>) -> u32 {
     number.replace(' ', "").parse().expect("a number")
 }
 
-fn field(h: &Harness<'_, App>, label: &str) -> String {
+fn field(h: &mut Harness<'_, App>, label: &str) -> String {
+    bring(h, label);
     h.get_by_label(label).accesskit_node().value().expect("a value")
 }
 
@@ -82,7 +83,7 @@ fn a_better_set_up_is_looked_at_applied_and_undone() {
     assert!(h.query_by_label("Apply").is_none(), "it was for another plan");
     press(&mut h, Modifiers::COMMAND, Key::Z);
     assert_eq!(left_out(&h), before, "one step");
-    assert_eq!(field(&h, "Laser in the base x"), "x 620.0 mm");
+    assert_eq!(field(&mut h, "Laser in the base x"), "x 620.0 mm");
 }
 
 /// Steps until something is so, and says how long that took.
@@ -132,19 +133,19 @@ fn frames_are_set_for_this_job_and_given_back_to_the_cell() {
     let mut h = window(Some(job(&folder, "")), &Answers::default());
     assert!(h.query_by_label("reset laser in the base").is_none());
     reveal(&mut h, "Laser in the base z");
-    let start = field(&h, "Laser in the base z");
+    let start = field(&mut h, "Laser in the base z");
     let from = h.get_by_label("Laser in the base z").rect().center();
     drag(&mut h, from, from + egui::vec2(30.0, 0.0));
-    assert_ne!(field(&h, "Laser in the base z"), start);
+    assert_ne!(field(&mut h, "Laser in the base z"), start);
     assert!(h.query_by_label("●").is_some(), "marked as this job's");
     press(&mut h, Modifiers::COMMAND, Key::Z);
-    assert_eq!(field(&h, "Laser in the base z"), start, "a drag is one step");
+    assert_eq!(field(&mut h, "Laser in the base z"), start, "a drag is one step");
     assert!(h.query_by_label("●").is_none());
     type_into(&mut h, "Part on the flange RZ", "30");
-    assert_eq!(field(&h, "Part on the flange RZ"), "RZ 30.0°");
+    assert_eq!(field(&mut h, "Part on the flange RZ"), "RZ 30.0°");
     reveal(&mut h, "reset part on the flange");
     click(&mut h, "reset part on the flange");
-    assert_eq!(field(&h, "Part on the flange RZ"), "RZ 0.0°");
+    assert_eq!(field(&mut h, "Part on the flange RZ"), "RZ 0.0°");
     // The other mount has other frames.
     reveal(&mut h, "carries the head");
     click(&mut h, "carries the head");

@@ -83,7 +83,7 @@ fn nothing_is_exported_while_the_plan_is_not_that_of_the_job() {
     let answers = Answers::default();
     answers.0.lock().expect("no panic").push((Purpose::Export, out.path().to_path_buf()));
     let mut bare = opened(&folder, &answers);
-    // The edit comes between the question for a folder and its answer.
+    // The edit comes while the folder is looked at.
     bare.app.give(Command::Export, &[]);
     bare.app.send(Edit::Set("part.placement.scale", 0.5));
     bare.settle();

@@ -153,6 +153,7 @@ fn areas_strategies_and_roughness_are_chosen() {
     reveal(&mut h, "Add point");
     click(&mut h, "Add point");
     type_into(&mut h, "roughness before at point 1", "2.9");
+    reveal(&mut h, "measured after at point 1");
     click(&mut h, "measured after at point 1");
     type_into(&mut h, "roughness after at point 1", "0.6");
     let reading = RoughnessReading { point: 1, before_um: 2.9, after_um: Some(0.6) };

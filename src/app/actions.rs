@@ -25,6 +25,7 @@ enum Action {
     Library(LibraryChange),
     Open(PathBuf),
     Sample(&'static str),
+    Tour,
     Ask(Purpose),
     Focus(u32),
     Session(Box<dyn FnOnce(&mut Session)>),
@@ -91,6 +92,11 @@ impl Actions {
     /// Opens a shipped sample by its name, once unsaved changes are dealt with.
     pub fn sample(&mut self, name: &'static str) {
         self.0.push(Action::Sample(name));
+    }
+
+    /// Begins the guided tour.
+    pub fn tour(&mut self) {
+        self.0.push(Action::Tour);
     }
 
     /// Asks the user for a file.
@@ -174,6 +180,7 @@ impl App {
             Action::Library(change) => self.change_library(change),
             Action::Open(file) => self.open_guarded(file),
             Action::Sample(name) => self.open_sample(name),
+            Action::Tour => self.begin_tour(),
             Action::Ask(purpose) => self.ask(purpose),
             Action::Focus(surface) => self.focus_surface(surface),
             Action::Session(change) => change(&mut self.session),

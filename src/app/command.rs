@@ -4,8 +4,9 @@
 //! When a command can be given, and what it does, stands in `run` (`is_enabled` and `run`). Both match all commands, so
 //! one that was forgotten there does not compile. One without a row in the table does not compile either.
 
+use super::toggle::Toggle;
 use crate::text::say;
-use crate::view::StandardView;
+use crate::view::{Navigation, StandardView};
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 /// What the user can ask for.
@@ -41,6 +42,10 @@ pub enum Command {
     CleanLater,
     /// Selects more surfaces.
     Select(More),
+    /// Surfaces that are painted over in the view are selected.
+    SelectByPainting,
+    /// Selects the surface in the next row of its list.
+    SelectRow(RowStep),
     /// Makes the selected surfaces one.
     Merge,
     /// Cuts the selected surface at the local angle.
@@ -55,6 +60,8 @@ pub enum Command {
     PickOrigin,
     /// The next click in the view says which face lies on the floor.
     LayFlat,
+    /// Clicks in the view say what is measured.
+    Measure,
     /// Turns the part by 90° about an axis.
     QuarterTurn(TurnAxis),
     /// Turns the camera.
@@ -71,7 +78,9 @@ pub enum Command {
     ShowAll,
     /// Shows or hides something.
     Toggle(Toggle),
-    /// Switches between the dark and the light theme.
+    /// Which buttons of the mouse move the view.
+    Navigate(Navigation),
+    /// Goes over to the next of dark, light, and the system's theme.
     Theme,
     /// Goes over to the next language.
     Language,
@@ -85,6 +94,8 @@ pub enum Command {
     Play,
     /// Goes to another target.
     Go(Jump),
+    /// Finds a command by its words.
+    Palette,
     /// Opens or closes the page of shortcuts.
     Help,
     /// Closes or ends the innermost of these that is open: page of shortcuts, renaming, tool, preview, section,
@@ -103,6 +114,17 @@ pub enum More {
     SameNormal,
     /// Those that share an edge with a selected one.
     Neighbours,
+    /// Those of at least the area of the smallest selected one.
+    Larger,
+}
+
+/// A row of a list relative to the one that was selected last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RowStep {
+    /// The one below.
+    Below,
+    /// The one above.
+    Above,
 }
 
 /// An axis of the part frame.
@@ -131,53 +153,6 @@ pub enum Jump {
     FirstPoint,
     /// The last point of the program.
     LastPoint,
-}
-
-/// What can be shown in the view or beside it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Toggle {
-    /// Lines that the spot follows.
-    PathLines,
-    /// Frames at targets.
-    PoseFrames,
-    /// Beams at targets.
-    Beams,
-    /// Moves with the laser off.
-    ConnectingMoves,
-    /// Beams as they were before the correction.
-    BeforeCorrection,
-    /// The part without colours.
-    PlainPart,
-    /// All but the surfaces to clean, which are hidden.
-    HideChosen,
-    /// The section plane of the current pass, alone.
-    SectionPlane,
-    /// The robot cell instead of the part alone.
-    Cell,
-    /// Curves of the motion over time.
-    Plots,
-    /// The program's text.
-    ProgramText,
-    /// Head, beam and clamps.
-    ToolBodies,
-    /// The access map: from which directions the current place can be reached.
-    AccessMap,
-    /// The dose, and what stays unclean.
-    Dose,
-    /// The spacing that lines really have.
-    Spacing,
-    /// The points of the scan, by how far they are off the model.
-    Scan,
-    /// The points of the scan that cleaning took out.
-    DroppedPoints,
-    /// The model by how far the scan is off it, in place of the points.
-    DeviationOnModel,
-    /// A section through part and scan, as a drawing below the view.
-    ScanSection,
-    /// The images of a weld with its mask, in a window.
-    WeldImages,
-    /// The points of a bead by their height, its centre line, and the camera.
-    WeldPoints,
 }
 
 /// Where a command stands in the menu bar.
@@ -278,6 +253,10 @@ table! {
     Select(More::SameShape) => command_select_same_shape, Surfaces, None;
     Select(More::SameNormal) => command_select_same_normal, Surfaces, None;
     Select(More::Neighbours) => command_select_neighbours, Surfaces, None;
+    Select(More::Larger) => command_select_larger, Surfaces, None;
+    SelectByPainting => command_select_by_painting, Surfaces, None;
+    SelectRow(RowStep::Below) => command_select_below, Surfaces, key(Key::ArrowDown);
+    SelectRow(RowStep::Above) => command_select_above, Surfaces, key(Key::ArrowUp);
     Merge => command_merge, Surfaces, ctrl(Key::M);
     Split => command_split, Surfaces, None;
     Rename => command_rename, Surfaces, key(Key::F2);
@@ -285,6 +264,7 @@ table! {
     FlipShell => command_flip_shell, Surfaces, None;
     PickOrigin => command_pick_origin, Part, None;
     LayFlat => command_lay_flat, Part, None;
+    Measure => command_measure, Part, key(Key::Q);
     QuarterTurn(TurnAxis::X) => command_turn_x, Part, None;
     QuarterTurn(TurnAxis::Y) => command_turn_y, Part, None;
     QuarterTurn(TurnAxis::Z) => command_turn_z, Part, None;
@@ -321,6 +301,12 @@ table! {
     Toggle(Toggle::ScanSection) => command_scan_section, View, key(Key::X);
     Toggle(Toggle::WeldImages) => command_weld_images, View, key(Key::V);
     Toggle(Toggle::WeldPoints) => command_weld_points, View, key(Key::E);
+    Toggle(Toggle::Cut) => command_cut, View, key(Key::Z);
+    Toggle(Toggle::Lists) => command_lists, View, key(Key::OpenBracket);
+    Toggle(Toggle::Settings) => command_settings, View, key(Key::CloseBracket);
+    Navigate(Navigation::Slicer) => command_navigate_slicer, View, None;
+    Navigate(Navigation::Cad) => command_navigate_cad, View, None;
+    Navigate(Navigation::Blender) => command_navigate_blender, View, None;
     Theme => command_theme, View, None;
     Language => command_language, View, None;
     Plan => command_plan, Plan, ctrl(Key::R);
@@ -333,6 +319,7 @@ table! {
     Go(Jump::PreviousPass) => command_previous_pass, Plan, key(Key::PageUp);
     Go(Jump::FirstPoint) => command_first_point, Plan, key(Key::Home);
     Go(Jump::LastPoint) => command_last_point, Plan, key(Key::End);
+    Palette => command_palette, Help, with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::P);
     Help => command_help, Help, with(Modifiers::SHIFT, Key::Questionmark);
     Escape => command_escape, Help, key(Key::Escape);
 }

@@ -18,7 +18,7 @@ use super::App;
 use super::access::AccessViews;
 use super::border::Borders;
 use super::clearance::ClearanceCurve;
-use super::command::{Command, Toggle};
+use super::command::Command;
 use super::derived::Derived;
 use super::dialogs::Answers;
 use super::dose::DoseView;
@@ -29,8 +29,11 @@ use super::scan_section::SectionView;
 use super::scan_tool::ToolView;
 use super::scan_view::ScanView;
 use super::session::Session;
+use super::shown::Tab;
 use super::spacing::{SpacingPicture, SpacingView};
 use super::suggestion_search::BetterSetupPreview;
+use super::thumbnails::Thumbnails;
+use super::toggle::Toggle;
 use super::weld::{WeldAsking, WeldView};
 use crate::beam::ProcessSettings;
 use crate::document::files::JobError;
@@ -60,6 +63,8 @@ pub(super) struct Context<'a> {
     pub packing: &'a Stage<PathBuf, Arc<JobError>>,
     /// Files that were opened or saved last, the newest first.
     pub recent: &'a [PathBuf],
+    /// Small pictures of those files.
+    pub thumbnails: &'a Thumbnails,
     /// The library: recipes of the user and shipped ones.
     pub recipes: &'a Library,
     /// Dots and scale of the achieved spacing.
@@ -98,6 +103,7 @@ impl App {
             exporting: &self.exporting,
             packing: &self.packing,
             recent: &self.recent,
+            thumbnails: &self.thumbnails,
             recipes: &self.recipes,
             spacing: &self.spacing,
             borders: &self.borders,
@@ -216,7 +222,15 @@ impl<'a> Context<'a> {
 
     /// Whether a command is a toggle that is on.
     pub fn is_shown(self, command: Command) -> bool {
-        matches!(command, Command::Toggle(what) if self.session.show.is_on(what))
+        let is_on = |what| self.session.show.is_on(what);
+        match command {
+            Command::Toggle(Toggle::Lists) if self.session.is_narrow => {
+                is_on(Toggle::Settings) && self.tab() == Tab::Lists
+            }
+            Command::Toggle(what) => is_on(what),
+            Command::Navigate(navigation) => self.session.navigation == navigation,
+            _ => false,
+        }
     }
 
     /// Whether the robot cell is shown.

@@ -1,8 +1,6 @@
-//! File dialogs, off the UI thread and behind a trait, so that tests can give the answer.
+//! What files are asked for, behind a trait, so that tests can give the answer. The dialogs themselves stand in
+//! `file_browser`.
 
-use crate::part::file::ENDINGS;
-use crate::scan;
-use crate::text::say;
 use eframe::egui;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -52,7 +50,10 @@ pub type Answer = Box<dyn FnOnce(Option<PathBuf>) + Send>;
 /// Asks the user for files.
 pub trait FileDialogs {
     /// Asks, without waiting; `name` is suggested.
-    fn ask(&self, purpose: Purpose, name: &str, answer: Answer);
+    fn ask(&self, purpose: Purpose, name: &str, ctx: &egui::Context, answer: Answer);
+
+    /// Draws the dialogs that stand in the window itself, where there are any. `recent`: files that were opened last.
+    fn ui(&self, _ctx: &egui::Context, _recent: &[PathBuf]) {}
 }
 
 /// Answers that are waited for.
@@ -91,63 +92,5 @@ impl Answers {
     /// Whether none is waited for.
     pub(super) fn is_empty(&self) -> bool {
         self.waiting == 0
-    }
-}
-
-/// Endings of parts in small and large letters, which some systems tell apart, and others.
-fn parts_and(others: &[&str]) -> Vec<String> {
-    cased(&ENDINGS, others)
-}
-
-fn cased(endings: &[&str], others: &[&str]) -> Vec<String> {
-    let both = endings.iter().flat_map(|e| [(*e).to_owned(), e.to_uppercase()]);
-    both.chain(others.iter().map(|e| (*e).to_owned())).collect()
-}
-
-/// Endings that grey images have and depth images have not, and the other way round.
-const JPEG: [&str; 2] = ["jpg", "jpeg"];
-const PGM: [&str; 1] = ["pgm"];
-
-fn images(besides: &[&str]) -> Vec<String> {
-    cased(&[&["png", "tif", "tiff"], besides].concat(), &[])
-}
-
-/// The system's dialogs.
-pub struct NativeDialogs;
-
-impl FileDialogs for NativeDialogs {
-    fn ask(&self, purpose: Purpose, name: &str, answer: Answer) {
-        let name = name.to_owned();
-        std::thread::spawn(move || {
-            let dialog = rfd::FileDialog::new();
-            answer(match purpose {
-                Purpose::Open => {
-                    dialog.add_filter(say!(dialog_part_or_job), &parts_and(&["toml", "clearbeam"])).pick_file()
-                }
-                Purpose::Part => dialog.add_filter(say!(dialog_part), &parts_and(&[])).pick_file(),
-                Purpose::SaveJob => {
-                    dialog.add_filter(say!(dialog_job), &["toml", "clearbeam"]).set_file_name(name).save_file()
-                }
-                Purpose::Export => dialog.set_title(say!(dialog_program_folder)).pick_folder(),
-                Purpose::ExportDryRun => dialog.set_title(say!(dialog_dry_run_folder)).pick_folder(),
-                Purpose::Cell => dialog.add_filter(say!(dialog_cell), &["toml"]).pick_file(),
-                Purpose::Head => dialog.add_filter(say!(dialog_head), &parts_and(&["toml"])).pick_file(),
-                Purpose::Clamp => dialog.add_filter(say!(dialog_clamp), &parts_and(&[])).pick_file(),
-                Purpose::Scan => dialog.add_filter(say!(dialog_scan), &cased(&scan::file::ENDINGS, &[])).pick_file(),
-                Purpose::WeldGray | Purpose::NextGray => {
-                    dialog.set_title(say!(dialog_weld_gray)).add_filter(say!(dialog_image), &images(&JPEG)).pick_file()
-                }
-                Purpose::WeldDepth | Purpose::NextDepth => {
-                    dialog.set_title(say!(dialog_weld_depth)).add_filter(say!(dialog_image), &images(&PGM)).pick_file()
-                }
-                Purpose::WeldCamera => {
-                    let dialog = dialog.set_title(say!(dialog_weld_camera));
-                    dialog.add_filter(say!(dialog_camera), &["toml", "json"]).pick_file()
-                }
-                Purpose::HandEye => dialog.add_filter(say!(dialog_hand_eye), &["toml"]).pick_file(),
-                Purpose::GrindingTool => dialog.add_filter(say!(dialog_grinding_tool), &["toml"]).pick_file(),
-                Purpose::Robot => dialog.add_filter(say!(dialog_robot), &["toml"]).pick_file(),
-            });
-        });
     }
 }

@@ -1,18 +1,16 @@
 //! Saving, exporting, file dialogs, and the question about unsaved changes.
 
 use super::App;
-use super::command::Toggle;
 use super::dialogs::Purpose;
-use super::questions::Question;
+use super::questions::{ExportReview, Question};
 use super::scan_files;
 use super::session::AfterGuard;
 use crate::beam::Obstacle;
 use crate::document::files::{self, JobError};
 use crate::document::{Edit, IfChanged, Remembered};
-use crate::planning::export::{self, ExportError, ExportInput, ExportOptions, Page};
-use crate::planning::report::PlanFinding;
+use crate::planning::export::{self, ExportError, ExportInput, Page};
+use crate::planning::report::{PlanFinding, unverified};
 use crate::planning::{Failure, PlannedJob};
-use crate::program::Variant;
 use crate::progress::Activity;
 use crate::text::{NamedSentence as _, Naming, Sentence as _, program_comment, report_page, say};
 use eframe::egui;
@@ -22,7 +20,7 @@ impl App {
     pub(super) fn ask(&mut self, purpose: Purpose) {
         let name = self.context().part_name().map_or("job.toml".into(), |n| format!("{n}.toml"));
         let answer = self.answers.expect(purpose, &self.ctx);
-        self.dialogs.ask(purpose, &name, answer);
+        self.dialogs.ask(purpose, &name, &self.ctx, answer);
     }
 
     /// Does what a file was asked for, now that the user has chosen it.
@@ -41,8 +39,8 @@ impl App {
         match purpose {
             Purpose::Open => self.open(path),
             Purpose::SaveJob => self.save_to(path),
-            Purpose::Export => self.export(path, false, false),
-            Purpose::ExportDryRun => self.export(path, true, false),
+            Purpose::Export => self.review_export(path, false),
+            Purpose::ExportDryRun => self.review_export(path, true),
             Purpose::Part => self.look_at_file(path),
             Purpose::Cell => {
                 let named = files::relative_to(&path, self.document.file());
@@ -122,19 +120,18 @@ impl App {
         }
     }
 
-    /// Writes program or dry run, path, report and job into a folder.
-    pub(super) fn export(&mut self, dir: PathBuf, dry_run: bool, overwrite: bool) {
+    /// Writes program or dry run, path, report and job into a folder, and replaces what the operator was shown.
+    pub(super) fn export(&mut self, review: ExportReview) {
+        let ExportReview { dir, dry_run, conflicts, .. } = review;
+        let overwrite = !conflicts.is_empty();
         // A cell or head that was changed meanwhile is not what was planned with.
         self.derived.pipeline.look_again();
         let Some(planned) = self.derived.current_plan(&self.document).cloned() else {
             self.session.error = Some(say!(window_no_finished_plan));
             return;
         };
-        let variant = Variant { dry_run, from_pass: self.context().going_on_from() };
         self.session.exported_dry_run = dry_run;
-        // A dose that is looked at is written as well.
-        let options =
-            ExportOptions { dose: self.session.show.is_on(Toggle::Dose), variant, page: self.session.writes_page };
+        let options = self.export_options(dry_run);
         let (job, file) = (self.document.job().clone(), self.document.file().map(Path::to_path_buf));
         self.session.said = say!(window_writing_into, folder = dir.display().to_string());
         let executor = self.derived.pipeline.executor().clone();
@@ -166,6 +163,7 @@ impl App {
         let Some(outcome) = self.exporting.take_result() else { return };
         match outcome {
             Ok(exported) => {
+                self.session.exports += 1;
                 let reason = exported.report.findings.iter().find_map(|f| match f {
                     PlanFinding::NothingPlanned { reason } => Some(reason),
                     _ => None,
@@ -176,10 +174,14 @@ impl App {
                     reason.map_or_else(|| say!(window_exported, program), |reason| reason.sentence_with(&naming));
             }
             Err(Failure::Cancelled) => self.session.said = say!(window_export_cancelled),
+            // Something was put there meanwhile, or a subprogram stands in the way: the page tells it.
             Err(Failure::Refused(ExportError::Conflicts { dir, conflicts })) => {
                 self.session.said.clear();
-                let dry_run = self.session.exported_dry_run;
-                self.question = Some(Question::ExportOver { dir, dry_run, conflicts });
+                let Some(planned) = self.derived.current_plan(&self.document) else { return };
+                let (job, setup, dry_run) = (self.document.job(), &planned.setup, self.session.exported_dry_run);
+                let standing = export::standing(&dir, job, setup, &self.export_options(dry_run));
+                let review = ExportReview { dir, dry_run, conflicts, standing, assumed: unverified(job, setup) };
+                self.question = Some(Question::Export(Box::new(review)));
             }
             Err(why) => self.session.error = Some(why.sentence()),
         }

@@ -117,6 +117,7 @@ impl App {
         stamp: Stamp,
         leftover: Option<Leftover>,
     ) {
+        self.keep_thumbnail();
         let job = document.job();
         let shown = document.file().map_or_else(|| PathBuf::from(&job.part.file), Path::to_path_buf);
         let mut derived = Derived::new(self.derived.pipeline.executor().clone());

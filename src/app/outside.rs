@@ -78,6 +78,7 @@ impl App {
         let is_idle = is_read
             && self.tool.is_at_rest()
             && !self.exporting.is_running()
+            && !self.reviewing.is_running()
             && !self.packing.is_running()
             && self.answers.is_empty();
         is_idle && self.derived.is_at_rest() && !self.viewport.is_gliding() && self.derived.is_current(&self.document)

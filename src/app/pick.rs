@@ -1,13 +1,14 @@
 //! The 3D view as a panel: clicks, hover, its context menu, and what stands at the cursor.
 
 use super::actions::Actions;
-use super::command::Toggle;
 use super::context::Context;
 use super::dose::Clicked;
+use super::gizmo::state::Gizmo;
 use super::scan_tool::{self, ScanTool};
 use super::session::PointerTool;
 use super::sight::seeing;
-use super::{App, at_cursor, panels};
+use super::toggle::Toggle;
+use super::{App, at_cursor, gizmo, panels};
 use crate::document::Edit;
 use crate::part::Shape;
 use crate::text::Sentence as _;
@@ -23,7 +24,10 @@ impl App {
         self.panel(|context, actions| panels::better_setup::ui(ui, context, actions));
         self.fit_if_pending();
         self.fit_to_tool();
-        self.viewport.brush = self.session.scan_tool.as_ref().is_some_and(ScanTool::paints);
+        self.viewport.brush = self.session.scan_tool.as_ref().is_some_and(ScanTool::paints)
+            || self.session.tool == PointerTool::Paint
+            || self.is_on_handle(ui);
+        self.viewport.navigation = self.session.navigation;
         self.scene = self.build_scene(ui.visuals().dark_mode);
         let (scene, part) = (self.scene.clone(), self.derived.part.clone());
         let part_from_scene = self.context().scene_from_part().inverse();
@@ -34,6 +38,7 @@ impl App {
         };
         let response = self.viewport.show_with_pick(ui, &scene, &pick);
         self.panel(|context, actions| panels::spacing::ui(ui, response.response.rect, context, actions));
+        self.panel(|context, actions| panels::path_legend::ui(ui, response.response.rect, context, actions));
         self.panel(|context, _| panels::scan::legend::ui(ui, response.response.rect, context));
         self.panel(|context, _| panels::weld::legend::ui(ui, response.response.rect, context));
         if let Some(why) = &response.failure {
@@ -50,14 +55,31 @@ impl App {
             self.panel(|context, actions| scan_tool::pointer(&response, &camera, context, actions));
             scan_tool::brush_circle(ui, &response, &camera, self.context());
         } else {
-            self.panel(|context, actions| pointer(&response, &camera, context, actions));
+            let on_gizmo = self.session.gizmo.as_ref().is_some_and(Gizmo::is_held);
+            self.panel(|context, actions| gizmo::ui(ui, &response, &camera, context, actions));
+            if !on_gizmo {
+                self.panel(|context, actions| pointer(&response, &camera, context, actions));
+            }
         }
+        panels::measured::ui(ui, &response, &camera, self.context());
         panels::scan::marks::ui(ui, &response, &camera, self.context());
-        cursor_text(ui, self.context());
         let menu = response.response.clone();
+        if !egui::Popup::is_any_open(ui.ctx()) {
+            cursor_text(ui, self.context());
+        }
         if response.secondary_clicked_px.is_some() || menu.context_menu_opened() {
             menu.context_menu(|ui| self.panel(|context, actions| panels::view_menu::ui(ui, context, actions)));
         }
+    }
+
+    /// Whether the pointer is on a handle, or holds one: then it moves no camera.
+    fn is_on_handle(&self, ui: &egui::Ui) -> bool {
+        let Some(gizmo) = &self.session.gizmo else { return false };
+        let at = ui.input(|i| i.pointer.latest_pos());
+        let rect = ui.available_rect_before_wrap();
+        let per_point = f64::from(ui.pixels_per_point());
+        let on = |at| self.context().handle_at(at, rect, &self.viewport.camera, per_point);
+        gizmo.is_held() || at.and_then(on).is_some()
     }
 
     fn fit_if_pending(&mut self) {
@@ -120,6 +142,26 @@ fn pointer(r: &ViewportResponse, camera: &Camera, context: Context<'_>, actions:
     if let Some(px) = r.clicked_px {
         click(picked(px), r.modifiers, context, actions);
     }
+    if let Some(px) = r.painted_px.filter(|_| context.session.tool == PointerTool::Paint)
+        && let Some(n) = picked(px).and_then(|(facet, _)| context.surface_of(facet))
+        && !context.session.selected.contains(&n)
+    {
+        actions.session(move |s| {
+            s.selected.insert(n);
+            s.scroll_to = Some(n);
+        });
+    }
+    if let Some(corners) = r.boxed_px {
+        let inside = context.surfaces_in_box(camera, r.size, corners);
+        let adds = r.modifiers.shift || r.modifiers.command;
+        actions.session(move |s| {
+            if !adds {
+                s.selected.clear();
+            }
+            s.scroll_to = inside.first().copied();
+            s.selected.extend(inside);
+        });
+    }
     if let Some(px) = r.double_clicked_px {
         match picked(px).and_then(|(facet, _)| context.surface_of(facet)) {
             Some(n) => {
@@ -162,6 +204,23 @@ fn click(place: Option<(u32, Point3<f64>)>, modifiers: egui::Modifiers, context:
             return;
         }
         (_, None, _) | (_, _, None) => return,
+        (PointerTool::Paint, ..) => return,
+        (PointerTool::Measure, Some(picked), Some(_)) => {
+            actions.session(move |s| {
+                if s.measured.len() > 1 {
+                    s.measured.clear();
+                }
+                s.measured.push(picked);
+            });
+            return;
+        }
+        (PointerTool::PutClamp(i), Some((facet, point)), Some(part)) => {
+            let shape = context.surface_of(facet).and_then(|n| context.derived.shape(n));
+            let at = origin_for(shape, &part.mesh, facet, &point);
+            gizmo::put_clamp(context, i, &at, &part.mesh.normals[facet as usize], actions);
+            actions.session(|s| s.tool = PointerTool::Select);
+            return;
+        }
         (PointerTool::LayFlat, Some((facet, point)), Some(part)) => {
             placement.with_face_down(&point, &part.mesh.normals[facet as usize])
         }
@@ -190,9 +249,10 @@ impl Context<'_> {
             let hit = part.bvh.nearest_hit(&origin, &dir, 0.0, f64::INFINITY)?;
             let facet = part.mesh.side_towards(hit.facet, &dir);
             let surface = self.surface_of(facet)?;
-            let is_hidden =
-                self.session.hidden.contains(&surface) || show.is_on(Toggle::HideChosen) && clean.contains(&surface);
             let point = origin + dir * hit.t_mm;
+            let is_hidden = self.is_cut_away(&point)
+                || self.session.hidden.contains(&surface)
+                || show.is_on(Toggle::HideChosen) && clean.contains(&surface);
             if !is_hidden {
                 return Some((facet, point));
             }

@@ -7,6 +7,7 @@ use super::reading::LookedAt;
 use crate::document::journal::{LeftBehind, Leftover};
 use crate::document::{Document, IfChanged, journal};
 use crate::planning::export::FileConflict;
+use crate::planning::report::PlanFinding;
 use crate::text::Sentence as _;
 use std::path::{Path, PathBuf};
 
@@ -32,15 +33,22 @@ pub(super) enum Question {
     Restore(LeftBehind),
     /// Saving would overwrite a file that is not the document's, or that has changed since this window read or saved it.
     SaveOver(PathBuf),
-    /// An export would replace files of a folder that it must not replace unasked.
-    ExportOver {
-        /// The folder.
-        dir: PathBuf,
-        /// Whether it is the dry run that is exported.
-        dry_run: bool,
-        /// Each of them, and why.
-        conflicts: Vec<FileConflict>,
-    },
+    /// Whether the program is to be written, with what that would do.
+    Export(Box<ExportReview>),
+}
+
+/// What an export would do.
+pub(super) struct ExportReview {
+    /// The folder.
+    pub dir: PathBuf,
+    /// Whether it is the dry run that is written.
+    pub dry_run: bool,
+    /// Files of the folder that are no earlier export of this job, or not as that left them.
+    pub conflicts: Vec<FileConflict>,
+    /// Names of files that are replaced.
+    pub standing: Vec<String>,
+    /// What nobody has measured or tried of cell, robot and dialect.
+    pub assumed: Vec<PlanFinding>,
 }
 
 /// The answer to a question.
@@ -54,7 +62,7 @@ pub(super) enum Reply {
     Restore(usize),
     /// Deletes one of them.
     Discard(usize),
-    /// Replaces what stands there.
+    /// Writes, and replaces what stands there.
     Overwrite,
     /// Saves the job in another file.
     SaveAs,
@@ -108,9 +116,10 @@ impl App {
             (Reply::Overwrite, Some(Question::SaveOver(path))) => self.save_into(path, IfChanged::Overwrite),
             (Reply::SaveAs, _) => self.ask(Purpose::SaveJob),
             (Reply::Reload, Some(Question::SaveOver(path))) => self.open(path),
-            (Reply::Overwrite, Some(Question::ExportOver { dir, dry_run, .. })) => self.export(dir, dry_run, true),
-            (Reply::OtherFolder, Some(Question::ExportOver { dry_run: true, .. })) => self.ask(Purpose::ExportDryRun),
-            (Reply::OtherFolder, _) => self.ask(Purpose::Export),
+            (Reply::Overwrite, Some(Question::Export(review))) => self.export(*review),
+            (Reply::OtherFolder, Some(Question::Export(review))) => {
+                self.ask(if review.dry_run { Purpose::ExportDryRun } else { Purpose::Export });
+            }
             _ => self.session.after_guard = None,
         }
     }

@@ -1,86 +1,17 @@
-//! When a command can be given, and what it does.
+//! What a command does. When it can be given stands in `enabled`.
 
 use super::App;
-use super::command::{Command, More, Toggle};
-use super::context::Context;
+use super::command::Command;
 use super::dialogs::Purpose;
+use super::panels::palette::state::Palette;
 use super::session::{AfterGuard, Coloring, PointerTool};
+use super::shown::Tab;
+use super::toggle::Toggle;
 use crate::document::Edit;
 use crate::part::SurfaceId;
 use crate::text::{self, say};
 use crate::view::{Bounds, Projection};
 use eframe::egui;
-
-impl Context<'_> {
-    /// Whether a command can do anything now.
-    pub fn is_enabled(self, command: Command) -> bool {
-        use Command as C;
-        let selected = &self.session.selected;
-        let clean = || self.clean_list();
-        match command {
-            C::Open | C::OpenWeld | C::Help | C::Escape | C::Theme | C::Language => true,
-            C::OpenScan | C::Save | C::SaveAs | C::Plan => self.derived.part.is_some(),
-            C::Select(More::Listed) | C::PickOrigin | C::LayFlat | C::QuarterTurn(_) => self.derived.part.is_some(),
-            C::Look(_) | C::Fit | C::Projection | C::ShowAll => self.derived.part.is_some(),
-            C::Undo => self.document.undo_step().is_some(),
-            C::Redo => self.document.redo_step().is_some(),
-            C::Cancel => self.progress().is_some(),
-            C::Export | C::ExportDryRun => self.plan().is_some(),
-            C::ExportFromPass => self.plan().is_some() && self.target().is_some(),
-            C::Play | C::Go(_) => self.derived.plan().is_some(),
-            C::Toggle(what) => self.is_there(what),
-            C::BetterSetup => self.refusing_plan().is_some() && !self.derived.suggestions.is_better_setup_sought(),
-            C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater if self.is_told_what_to_work() => false,
-            C::FlipSurface | C::FlipShell if self.has_scan() || self.has_weld() => false,
-            C::Clean => selected.iter().any(|n| !clean().contains(n)),
-            C::Unclean | C::CleanEarlier | C::CleanLater => selected.iter().any(|n| clean().contains(n)),
-            // Facets are cut and joined on the part as it is.
-            C::Merge => selected.len() > 1 && self.derived.has_current_surfaces(self.document),
-            C::Split => selected.len() == 1 && self.derived.has_current_surfaces(self.document),
-            C::Rename | C::FlipSurface | C::FlipShell => selected.len() == 1,
-            C::Select(More::SameShape | More::SameNormal | More::Neighbours) | C::Hide | C::Isolate => {
-                !selected.is_empty()
-            }
-        }
-    }
-
-    /// Why a command cannot be given while there is a scan, or a weld is ground.
-    pub fn why_not(self, command: Command) -> Option<String> {
-        use Command as C;
-        match command {
-            C::Toggle(what) => (self.has_weld() && is_of_light(what)).then(|| say!(weld_panel_no_light)),
-            C::Clean | C::Unclean | C::CleanEarlier | C::CleanLater => self.why_told_what_to_work(),
-            C::Merge | C::Split | C::FlipSurface | C::FlipShell if self.has_weld() => {
-                Some(say!(weld_panel_keeps_surfaces))
-            }
-            _ if !self.has_scan() => None,
-            C::Merge | C::Split | C::FlipSurface | C::FlipShell => Some(say!(scan_panel_keeps_surfaces)),
-            _ => None,
-        }
-    }
-
-    /// Whether there is something to be shown.
-    fn is_there(self, what: Toggle) -> bool {
-        use Toggle as T;
-        match what {
-            _ if self.has_weld() && is_of_light(what) => false,
-            T::WeldImages => self.has_weld(),
-            T::WeldPoints => self.weld.measured().is_some(),
-            T::PathLines | T::PoseFrames | T::Beams | T::ConnectingMoves => self.derived.part.is_some(),
-            T::BeforeCorrection | T::PlainPart | T::HideChosen | T::ToolBodies => self.derived.part.is_some(),
-            T::SectionPlane | T::AccessMap | T::Dose | T::Spacing => self.derived.plan().is_some(),
-            T::Scan | T::DroppedPoints | T::DeviationOnModel | T::ScanSection => self.scan_is_laid(),
-            T::Cell => self.derived.cell.is_some(),
-            T::Plots => self.timeline().is_some(),
-            T::ProgramText => self.derived.playback_data().is_some(),
-        }
-    }
-}
-
-/// What only light has: a grinding tool lays no dose on the part, and nobody corrects its beam.
-fn is_of_light(what: Toggle) -> bool {
-    matches!(what, Toggle::Dose | Toggle::BeforeCorrection)
-}
 
 impl App {
     /// Does what a command asks for, if it is enabled.
@@ -106,6 +37,8 @@ impl App {
             C::CleanEarlier => self.edit(Edit::Shift(self.session.selected_ids(), -1)),
             C::CleanLater => self.edit(Edit::Shift(self.session.selected_ids(), 1)),
             C::Select(more) => self.select_more(more),
+            C::SelectByPainting => self.take_tool(PointerTool::Paint),
+            C::SelectRow(step) => self.select_row(step),
             C::Merge => self.edit(Edit::Merge(self.session.selected_ids())),
             C::Split => self.split_selected(),
             C::Rename => self.begin_renaming(),
@@ -113,6 +46,10 @@ impl App {
             C::FlipShell => self.flip_shell(),
             C::PickOrigin => self.take_tool(PointerTool::PickOrigin),
             C::LayFlat => self.take_tool(PointerTool::LayFlat),
+            C::Measure => {
+                self.session.measured.clear();
+                self.take_tool(PointerTool::Measure);
+            }
             C::QuarterTurn(axis) => self.place(|p| p.quarter_turn(axis as usize)),
             C::Look(view) => self.viewport.look(view),
             C::Fit => self.fit_selection(),
@@ -121,6 +58,7 @@ impl App {
             C::Isolate => self.isolate(),
             C::ShowAll => self.session.hidden.clear(),
             C::Toggle(what) => self.toggle(what),
+            C::Navigate(navigation) => self.session.navigation = navigation,
             C::Theme => self.change_theme(),
             C::Language => self.change_language(),
             C::Plan => self.plan_again(),
@@ -128,6 +66,7 @@ impl App {
             C::BetterSetup => self.find_better_setup(),
             C::Play => self.play_or_pause(),
             C::Go(jump) => self.jump(jump),
+            C::Palette => self.session.palette = Some(Palette::default()),
             C::Help => self.session.help_open = !self.session.help_open,
             C::Escape => self.step_out(),
         }
@@ -137,11 +76,18 @@ impl App {
         use Toggle as T;
         match what {
             T::Cell => self.toggle_cell(),
+            T::SectionPlane if self.session.show.is_on(what) => self.leave_section(),
             T::SectionPlane => {
-                if self.session.show.flip(what) {
-                    self.leave_cell();
-                    self.look_along_section();
-                }
+                self.session.show.set(what, true);
+                self.leave_cell();
+                self.session.camera_before_section = Some(self.viewport.camera);
+                self.look_along_section();
+            }
+            // In a narrow window the lists are a tab of the settings.
+            T::Lists if self.session.is_narrow => {
+                let on = self.context().is_shown(Command::Toggle(what));
+                self.session.show.set(T::Settings, !on);
+                self.session.tab = Some(Tab::Lists);
             }
             T::Dose => {
                 let on = self.session.show.flip(what);
@@ -149,6 +95,8 @@ impl App {
                 // A computation that was cancelled is asked for again.
                 if on {
                     self.derived.dose.try_again();
+                    self.session.show.set(T::Settings, true);
+                    self.session.tab = Some(Tab::Dose);
                 }
             }
             T::PathLines
@@ -168,7 +116,10 @@ impl App {
             | T::DeviationOnModel
             | T::ScanSection
             | T::WeldImages
-            | T::WeldPoints => {
+            | T::WeldPoints
+            | T::Cut
+            | T::Lists
+            | T::Settings => {
                 self.session.show.flip(what);
             }
         }
@@ -176,7 +127,7 @@ impl App {
 
     /// One tool at a time is in the hand.
     fn take_tool(&mut self, tool: PointerTool) {
-        (self.session.tool, self.session.scan_tool) = (tool, None);
+        (self.session.tool, self.session.scan_tool, self.session.gizmo) = (tool, None, None);
     }
 
     fn change_projection(&mut self) {
@@ -184,9 +135,19 @@ impl App {
         self.viewport.set_projection(if parallel { Projection::Perspective } else { Projection::Parallel });
     }
 
-    fn change_theme(&self) {
-        let dark = self.ctx.theme() == egui::Theme::Dark;
-        self.ctx.set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
+    fn change_theme(&mut self) {
+        use egui::ThemePreference as P;
+        let next = match self.ctx.options(|o| o.theme_preference) {
+            P::Dark => P::Light,
+            P::Light => P::System,
+            P::System => P::Dark,
+        };
+        self.ctx.set_theme(next);
+        self.session.said = match next {
+            P::Dark => say!(theme_dark),
+            P::Light => say!(theme_light),
+            P::System => say!(theme_system),
+        };
     }
 
     fn change_language(&mut self) {
@@ -252,12 +213,15 @@ impl App {
             self.session.renaming = None;
         } else if self.session.tool != PointerTool::Select {
             self.session.tool = PointerTool::Select;
+            self.session.measured.clear();
+        } else if self.session.gizmo.take().is_some() {
+            // What was moved stays where it is.
         } else if self.session.scan_tool.take().is_some() {
             // Laid down, with what was not taken over.
         } else if self.dismiss_better_setup() {
             // Its preview is gone: one step.
         } else if self.session.show.is_on(Toggle::SectionPlane) {
-            self.session.show.set(Toggle::SectionPlane, false);
+            self.leave_section();
         } else {
             self.session.selected.clear();
         }

@@ -2,6 +2,7 @@
 //! pipeline.
 
 use super::App;
+use super::shown::Tab;
 use crate::document::Edit;
 use crate::document::files;
 use crate::document::model::ScanFile;
@@ -81,6 +82,7 @@ impl App {
                 }
                 if all.len() > scan.files.len() {
                     self.edit(Edit::Scan(Box::new(ScanEdit::Files(all, units))));
+                    self.session.tab = Some(Tab::Scan);
                 }
             }
             Some(Err(Failure::Refused((path, why)))) => {

@@ -1,16 +1,20 @@
 //! Builds the 3D scene of each frame.
 
 use super::App;
-use super::command::Toggle;
 use super::context::Context;
 use super::derived::Derived;
 use super::session::{Coloring, Session};
+use super::toggle::Toggle;
+use crate::document::Job;
 use crate::picture::dose::DoseLook;
 use crate::picture::{PartLook, PathLook, paths, section};
 use crate::pose::TargetState;
 use crate::view::{Camera, LineItem, MeshItem, PointItem, Projection, Scene};
 use nalgebra::{Isometry3, Vector3};
 use std::sync::Arc;
+
+/// Lines that are seen so far apart, px, have their full width.
+const FULL_PX: f64 = 4.0;
 
 /// Lines of the paths, and what they were made from: plan, defocus and look.
 pub(super) struct PathLines {
@@ -44,7 +48,10 @@ impl App {
             let by_scan = self.scan.model().filter(|_| self.context().shows_deviation_on_model());
             let by_scan = by_scan.map(|model| MeshItem { edges: part.edges.clone(), ..model.clone() });
             let part = self.context().dose_picture().cloned().or(by_scan).unwrap_or(part);
-            scene.meshes.push(MeshItem { scene_from_item: place, ..part });
+            scene.cut = self.context().cut_of(part.geometry_key);
+            // Edges of what is cut away would hang in the air.
+            let edges = part.edges.clone().filter(|_| scene.cut.is_none());
+            scene.meshes.push(MeshItem { scene_from_item: place, edges, ..part });
             let laid = d.laid.as_ref().map(|(_, lines)| lines);
             if let Some(lines) = laid.filter(|_| look.lines) {
                 scene.lines.push(LineItem { scene_from_item: place, ..lines.clone() });
@@ -56,7 +63,10 @@ impl App {
                     self.path_lines = Some(PathLines { of: known, lines });
                 }
                 let lines = self.path_lines.iter().flat_map(|l| &l.lines);
-                scene.lines.extend(lines.map(|l| LineItem { scene_from_item: place, ..l.clone() }));
+                let thinned = self.line_share(&of.job);
+                let thin =
+                    |l: &LineItem| LineItem { scene_from_item: place, width_px: l.width_px * thinned, ..l.clone() };
+                scene.lines.extend(lines.map(thin));
             }
             scene.lines.extend(self.borders.lines().iter().map(|l| LineItem { scene_from_item: place, ..l.clone() }));
             let dots = self.context().spacing_picture().map_or(&[][..], |s| &s.dots).iter();
@@ -75,6 +85,16 @@ impl App {
             scene.points.push(PointItem { scene_from_item, ..point });
         }
         Arc::new(scene)
+    }
+
+    /// The share of their width at which lines are drawn: seen from afar they would run into each other.
+    fn line_share(&self, job: &Job) -> f32 {
+        let camera = &self.viewport.camera;
+        let apart_px = self
+            .viewport
+            .size()
+            .map_or(f64::INFINITY, |size| job.layers.spacing_mm * camera.px_per_mm(&camera.target, size));
+        (apart_px / FULL_PX).clamp(0.35, 1.0) as f32
     }
 
     /// The points of the scan, unless the model shows what they tell, and the outlines of patches.
@@ -110,6 +130,14 @@ impl App {
         camera.target = min + (max - min) * 0.5;
         self.viewport.glide_to(camera);
     }
+
+    /// Shows all passes again, from where the camera was before.
+    pub(super) fn leave_section(&mut self) {
+        self.session.show.set(Toggle::SectionPlane, false);
+        if let Some(camera) = self.session.camera_before_section.take() {
+            self.viewport.glide_to(camera);
+        }
+    }
 }
 
 impl<'a> Context<'a> {
@@ -139,8 +167,11 @@ impl<'a> Context<'a> {
     pub fn path_look(self) -> PathLook {
         let size = self.derived.part.as_ref().map_or(100.0, |p| p.mesh.diagonal());
         PathLook {
-            // Where the spacing is shown its dots stand for the lines.
-            lines: self.session.show.is_on(Toggle::PathLines) && !self.session.show.is_on(Toggle::Spacing),
+            // Where the spacing is shown its dots stand for the lines, and the dose lies under them.
+            lines: self.session.show.is_on(Toggle::PathLines)
+                && !self.session.show.is_on(Toggle::Spacing)
+                && self.session.coloring == Coloring::Surface,
+            hidden: self.session.hidden_states,
             frames: self.session.show.is_on(Toggle::PoseFrames),
             beams: self.session.show.is_on(Toggle::Beams),
             air: self.session.show.is_on(Toggle::ConnectingMoves),

@@ -1,21 +1,25 @@
 //! What is selected, shown and open: neither saved nor undone.
 
-use super::command::Toggle;
 use super::dose::Clicked;
+use super::gizmo::state::Gizmo;
 use super::panels::compare::state::Compare;
+use super::panels::palette::state::Palette;
 use super::panels::recipe::draft::Draft;
 use super::playback::Playback;
 use super::program_view::ProgramView;
 use super::scan_section::SectionAsked;
 use super::scan_tool::ScanTool;
 use super::scan_view::ScanLabel;
+use super::shown::{PartCut, Picked, Tab};
+use super::toggle::Toggle;
+use super::tour::state::Tour;
 use super::weld::ImagesView;
 use crate::cell::Mount;
 use crate::cell::calibration::PointPair;
 use crate::document::{Forgotten, Job, RecutAnchor};
 use crate::part::{Digest, PartFinding, SurfaceId};
 use crate::pose::access::TiltPart;
-use crate::view::Camera;
+use crate::view::{Camera, Navigation};
 use eframe::egui;
 use nalgebra::Point3;
 use std::collections::BTreeSet;
@@ -48,6 +52,8 @@ pub struct Session {
     pub plot_span: Option<[f64; 2]>,
     /// What is in sight of the program's text.
     pub program_view: ProgramView,
+    /// Camera that the section plane took the place of.
+    pub camera_before_section: Option<Camera>,
     /// Camera of the other mode, part or cell, when that was left.
     pub other_camera: Option<Camera>,
     /// Cell, robot and mount that were shown last: the camera is fitted to others anew.
@@ -58,6 +64,12 @@ pub struct Session {
     pub split_angle_deg: f64,
     /// Surface that is being renamed, and the text so far.
     pub renaming: Option<(u32, String)>,
+    /// The tab of the settings that was chosen; `None`: what suits the job.
+    pub tab: Option<Tab>,
+    /// Whether the window is too narrow for panels on both sides of the view.
+    pub is_narrow: bool,
+    /// The search for a command.
+    pub palette: Option<Palette>,
     /// Page of shortcuts.
     pub help_open: bool,
     /// What waits for the answer to *Save changes?*.
@@ -88,8 +100,16 @@ pub struct Session {
     pub clicked: Option<Clicked>,
     /// What a click in the view does, other than select.
     pub tool: PointerTool,
+    /// Which buttons of the mouse move the view.
+    pub navigation: Navigation,
+    /// Places that are measured, two at most.
+    pub measured: Vec<Picked>,
+    /// Handles by which something is moved in the view.
+    pub gizmo: Option<Gizmo>,
     /// The tool for the scan that is in the hand, with what it has gathered.
     pub scan_tool: Option<ScanTool>,
+    /// Where the part is cut open.
+    pub cut: PartCut,
     /// Where the section through part and scan is.
     pub section: SectionAsked,
     /// The window of a weld's images.
@@ -108,6 +128,12 @@ pub struct Session {
     pub going_on: Option<GoingOn>,
     /// Whether it was a dry run that was exported last.
     pub exported_dry_run: bool,
+    /// How many exports were written.
+    pub exports: usize,
+    /// The guided tour.
+    pub tour: Option<Tour>,
+    /// Whether lines are hidden that are free, corrected, blocked.
+    pub hidden_states: [bool; 3],
     /// Whether an export writes the report as a page as well.
     pub writes_page: bool,
     /// Camera must be fitted once the part is there.
@@ -145,6 +171,12 @@ pub enum PointerTool {
     PickOrigin,
     /// Lay the clicked face down on z = 0.
     LayFlat,
+    /// Measure between the clicked places.
+    Measure,
+    /// Select the surfaces that are painted over.
+    Paint,
+    /// Put a clamp with its origin on the clicked place, its z axis out of it.
+    PutClamp(usize),
 }
 
 /// What is shown.
@@ -153,7 +185,8 @@ pub struct Show(BTreeSet<Toggle>);
 
 impl Default for Show {
     fn default() -> Show {
-        Show([Toggle::PathLines, Toggle::ToolBodies, Toggle::Scan, Toggle::WeldPoints].into())
+        let shown = [Toggle::PathLines, Toggle::ToolBodies, Toggle::Scan, Toggle::WeldPoints];
+        Show(shown.into_iter().chain([Toggle::Lists, Toggle::Settings]).collect())
     }
 }
 
@@ -219,7 +252,11 @@ impl Default for Session {
             playback: Playback::default(),
             plot_span: None,
             program_view: ProgramView::default(),
+            camera_before_section: None,
             other_camera: None,
+            tab: None,
+            is_narrow: false,
+            palette: None,
             cell_shown: None,
             recut_anchor: None,
             split_angle_deg: 10.0,
@@ -239,7 +276,11 @@ impl Default for Session {
             coloring: Coloring::Surface,
             clicked: None,
             tool: PointerTool::Select,
+            navigation: Navigation::default(),
+            measured: Vec::new(),
+            gizmo: None,
             scan_tool: None,
+            cut: PartCut::default(),
             section: SectionAsked::default(),
             images: ImagesView::default(),
             markers: None,
@@ -249,6 +290,9 @@ impl Default for Session {
             compare: None,
             going_on: None,
             exported_dry_run: false,
+            exports: 0,
+            tour: None,
+            hidden_states: [false; 3],
             writes_page: false,
             fit_pending: false,
         }
@@ -281,6 +325,7 @@ impl Session {
     /// Resets all that belongs to one part.
     pub fn forget_part(&mut self) {
         let playback = Playback::at_speed(self.playback.speed);
-        *self = Session { show: self.show.clone(), playback, ..Session::default() };
+        let (navigation, tour) = (self.navigation, self.tour.take());
+        *self = Session { show: self.show.clone(), playback, navigation, tour, ..Session::default() };
     }
 }

@@ -20,7 +20,7 @@ pub(super) fn pressed(ctx: &Context) -> Vec<Command> {
 /// In a text, Ctrl+A and Ctrl+Z belong to the text.
 fn is_given_while_typing(command: Command) -> bool {
     use Command as C;
-    matches!(command, C::Open | C::OpenScan | C::Save | C::SaveAs | C::Export | C::ExportDryRun | C::Plan)
+    matches!(command, C::Open | C::OpenScan | C::Save | C::SaveAs | C::Export | C::ExportDryRun | C::Plan | C::Palette)
 }
 
 #[cfg(test)]

@@ -2,9 +2,10 @@
 //! the view: the part alone in its own frame, or the robot cell in the base.
 
 use super::App;
-use super::command::{Jump, Toggle};
+use super::command::Jump;
 use super::context::Context;
 use super::suggestion_search::BetterSetupPreview;
+use super::toggle::Toggle;
 use crate::cell::motion::Arm;
 use crate::cell::{Joints, Setup};
 use crate::picture::CellPicture;
@@ -87,6 +88,9 @@ impl App {
     /// From the part to the cell, or back; each keeps its camera.
     pub(super) fn toggle_cell(&mut self) {
         self.session.show.set(Toggle::SectionPlane, false);
+        if let Some(camera) = self.session.camera_before_section.take() {
+            self.set_camera(camera);
+        }
         self.session.show.flip(Toggle::Cell);
         match self.session.other_camera.replace(self.viewport.camera) {
             Some(camera) => self.set_camera(camera),

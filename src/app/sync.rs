@@ -3,11 +3,11 @@
 
 use super::App;
 use super::access::Ground;
-use super::command::Toggle;
 use super::context::Context;
 use super::playback_data::PlaybackData;
 use super::scan_section::SectionOf;
 use super::scan_view::ScanWanted;
+use super::toggle::Toggle;
 use crate::part::surfaces::Surface;
 use crate::part::{Shape, SurfaceId};
 use crate::picture::{CellPicture, PartPicture, ToolPicture, paths};

@@ -99,6 +99,8 @@ pub enum Edit {
     },
     /// A name for a surface; empty takes it away.
     Rename(SurfaceId, String),
+    /// A name for several surfaces; each gets it with a number behind.
+    RenameSeveral(Vec<SurfaceId>, String),
     /// What the offset lines of one surface start from; `None`: as recipe or job say.
     SurfaceBorder(SurfaceId, Option<StartFrom>),
     /// The centre of one surface's spiral, mm, part frame; `None`: as recipe or job say.
@@ -192,6 +194,7 @@ impl Edit {
             | Edit::Unclean(list)
             | Edit::Shift(list, _)
             | Edit::GiveRecipe(list, _)
+            | Edit::RenameSeveral(list, _)
             | Edit::Merge(list)
             | Edit::Later { surfaces: list, .. }
             | Edit::TakeBack(list) => Subject::Surfaces(list),
@@ -260,6 +263,11 @@ impl Edit {
             Edit::Reorder(list) => settings.choose(Chosen::These(list.clone())),
             Edit::TakeBack(list) => settings.take_back(list, all),
             Edit::Rename(id, name) => settings.change(*id, |s| s.name = name.trim().into()),
+            Edit::RenameSeveral(list, name) => {
+                for (at, id) in list.iter().enumerate() {
+                    settings.change(*id, |s| s.name = format!("{} {}", name.trim(), at + 1));
+                }
+            }
             Edit::SurfaceBorder(id, border) => settings.change(*id, |s| s.border = *border),
             Edit::SurfaceCentre(id, centre) => settings.change(*id, |s| s.centre_mm = *centre),
             Edit::FlipSurface(id) => settings.change(*id, |s| s.flipped = !s.flipped),

@@ -13,6 +13,12 @@ pub fn journal() -> Option<PathBuf> {
     journal_by(cfg!(windows), &|name| std::env::var_os(name))
 }
 
+/// Small pictures of files that were opened: they can be made again, so they belong to the cache.
+pub fn thumbnails() -> Option<PathBuf> {
+    let cache = base(cfg!(windows), ["LOCALAPPDATA", "XDG_CACHE_HOME", ".cache"], &|name| std::env::var_os(name));
+    Some(cache?.join("thumbnails"))
+}
+
 fn recipes_by(windows: bool, variable: &dyn Fn(&str) -> Option<OsString>) -> Option<PathBuf> {
     Some(base(windows, ["APPDATA", "XDG_CONFIG_HOME", ".config"], variable)?.join("recipes"))
 }

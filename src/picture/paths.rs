@@ -30,8 +30,19 @@ pub struct PathLook {
     pub current_pass: Option<usize>,
     /// So many passes, from the first on, are done: their lines are dimmed.
     pub done: usize,
+    /// Whether what is free, corrected or blocked is left out.
+    pub hidden: [bool; 3],
     /// Length of a frame's axes, mm.
     pub frame_mm: f64,
+}
+
+impl PathLook {
+    /// Whether a line or beam of this colour is shown.
+    fn shows(&self, line: &LineSegment) -> bool {
+        let [r, g, b, _] = line.color;
+        let states = [state::FREE, state::CORRECTED, state::BLOCKED];
+        !states.iter().zip(self.hidden).any(|(of, hidden)| hidden && *of == [r, g, b])
+    }
 }
 
 /// Frames and beams that are shown of a pass, at most; of more, every k-th.
@@ -52,6 +63,7 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
             look.done as u32,
             part,
             look.current_pass.map_or(0, |p| p as u32 + 1),
+            look.hidden.iter().enumerate().map(|(i, hidden)| u32::from(*hidden) << i).sum(),
         ];
         let key = Hasher::default().u32s(&[key as u32, (key >> 32) as u32]).u32s(&flags).f64s(&[look.frame_mm]);
         let (key, scene_from_item) = (key.finish().0 as u64, Isometry3::identity());
@@ -67,11 +79,12 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     let mut items = Vec::new();
     if look.lines {
         let lines = numbered().flat_map(|(i, p)| pass_lines(p, look.before, i < look.done));
+        let lines = lines.filter(|line| look.shows(line));
         items.push(item(1, lines.collect(), 1.4));
     }
     if look.beams {
         let beams = looked_at(MOST_BEAMS, BEAMS_BESIDE).map(|(t, settings)| beam(t, settings.defocus_mm, look.before));
-        items.push(item(2, beams.collect(), 1.2));
+        items.push(item(2, beams.filter(|beam| look.shows(beam)).collect(), 1.2));
     }
     if look.frames {
         let frames =

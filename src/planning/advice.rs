@@ -6,9 +6,10 @@ use super::driving::drive;
 use super::plan::Plan;
 use super::surface_plan::PlanCache;
 use crate::beam::ProcessSettings;
-use crate::cell::motion::advice::{self, BetterSetup, SAMPLE, SuggestedChange, sampled};
+use crate::cell::motion::advice::{self, BetterSetup, SAMPLE, SetupChange, SuggestedChange, sampled};
 use crate::cell::motion::{Arm, Refusal, RefusalCause, SearchHooks, choose};
-use crate::cell::{Mount, Setup};
+use crate::cell::{Frame, Mount, Setup, Spin};
+use crate::document::Edit;
 use crate::document::model::{Job, JobCell};
 use crate::part::{Part, Surfaces};
 use crate::pose::{Pass, TargetState};
@@ -19,6 +20,8 @@ use nalgebra::{Isometry3, Point3};
 const PASSES: usize = 6;
 /// Passes that proposed set-ups are tried on.
 const TRIED_PASSES: usize = 24;
+/// Key of the speed of the spot.
+const SPEED: &str = "beam.speed_mm_s";
 /// Shares of the speed that are tried.
 const SLOWER: [f64; 5] = [0.75, 0.5, 0.3, 0.2, 0.1];
 
@@ -59,6 +62,36 @@ pub enum Suggestion {
         /// How many refused targets there are.
         of: usize,
     },
+}
+
+impl Suggestion {
+    /// The edit that does it. `None`: it is no change, or surfaces have speeds of their own.
+    pub fn edit(&self, job: &Job, setup: &Setup) -> Option<Edit> {
+        match self {
+            Suggestion::SetupChange(SuggestedChange { change: SetupChange::FreeSpin, .. }) => {
+                Some(Edit::Spin(Spin::Free))
+            }
+            Suggestion::SetupChange(SuggestedChange { change, .. }) => {
+                let (now, then) = (&setup.cell, change.applied(setup).cell);
+                let mut cell = job.cell.clone();
+                let changed = |now: &Frame, then: Frame| (*now != then).then_some(then);
+                let own = [
+                    (&mut cell.flange_from_part, changed(&now.flange_from_part, then.flange_from_part)),
+                    (&mut cell.base_from_laser, changed(&now.base_from_laser, then.base_from_laser)),
+                    (&mut cell.base_from_part, changed(&now.base_from_part, then.base_from_part)),
+                ];
+                for (frame, changed) in own {
+                    *frame = changed.or(frame.take());
+                }
+                Some(Edit::Frames(Box::new(cell)))
+            }
+            Suggestion::Slower { speed_mm_s } => {
+                let has_own = job.recipes.iter().any(|recipe| recipe.values.contains_key(SPEED));
+                (!has_own).then_some(Edit::Set(SPEED, *speed_mm_s))
+            }
+            Suggestion::Sampled { .. } => None,
+        }
+    }
 }
 
 /// What would help, the best first; nothing where nothing was refused, or nothing helps.

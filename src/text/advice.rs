@@ -17,11 +17,17 @@ impl Sentence for Suggestion {
 
 impl Sentence for SuggestedChange {
     fn sentence(&self) -> String {
-        let SuggestedChange { change, gained, of, lost } = self;
-        let (change, gained, of, lost) = (change.sentence(), *gained, *of, *lost);
+        say!(advice_change, change = self.change.sentence(), gains = self.gains())
+    }
+}
+
+impl SuggestedChange {
+    /// What the change brings, and what it takes.
+    pub fn gains(&self) -> String {
+        let SuggestedChange { gained, of, lost, .. } = *self;
         match lost {
-            0 => say!(advice_gains, change, gained, of),
-            _ => say!(advice_gains_and_loses, change, gained, of, lost),
+            0 => say!(advice_gains, gained, of),
+            _ => say!(advice_gains_and_loses, gained, of, lost),
         }
     }
 }

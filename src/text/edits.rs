@@ -61,6 +61,7 @@ impl Sentence for Edit {
             Edit::Cut(cut) => say!(edit_cut, facets = cut.facets.len(), surface = id(cut.of)),
             Edit::Later { surfaces, .. } => say!(edit_put_aside, count = surfaces.len(), surface = first(surfaces)),
             Edit::TakeBack(list) => say!(edit_take_back, count = list.len(), surface = first(list)),
+            Edit::RenameSeveral(list, _) => say!(edit_rename_several, count = list.len()),
             Edit::Rename(surface, _) => say!(edit_rename, surface = id(surface)),
             Edit::SurfaceBorder(surface, _) => say!(edit_surface_border, surface = id(surface)),
             Edit::SurfaceCentre(surface, _) => say!(edit_surface_centre, surface = id(surface)),

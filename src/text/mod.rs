@@ -7,6 +7,7 @@
 //! Comments in programs are English whatever the language (`Message::english`).
 
 mod advice;
+mod assumed;
 mod beam;
 mod bundle;
 mod calibration;
@@ -55,6 +56,7 @@ mod verify;
 mod view;
 mod weld;
 
+pub(crate) use assumed::assumed;
 pub(crate) use bundle::{Arg, Message, id, render};
 pub use bundle::{Language, choose, is_chosen, language, language_of, languages};
 pub use changed_part::carried_lines;
@@ -63,7 +65,7 @@ pub(crate) use inspect::{inspected, shape_label};
 pub(crate) use list::{listed, listed_clauses};
 pub use naming::{NamedSentence, Naming};
 pub use notice::{example, notice_line, remedy};
-pub(crate) use number::{clock, exact, fixed, hour_and_minute, percent, rough, short};
+pub(crate) use number::{clock, exact, fixed, grouped, hour_and_minute, percent, rough, short};
 pub use page::report_page;
 pub(crate) use part::with_option;
 pub(crate) use picture::{legend_entry, legend_mark, spacing_labels};

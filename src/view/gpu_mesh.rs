@@ -3,7 +3,7 @@
 use super::error::{DriverObject, ViewError};
 use super::scene::{MeshItem, Rgba};
 use super::to_three_d::CameraUniforms;
-use three_d::{Blend, Context, DepthTest, Program, RenderStates, VertexBuffer, Viewport, WriteMask};
+use three_d::{Blend, Context, DepthTest, Program, RenderStates, Vec4, VertexBuffer, Viewport, WriteMask};
 
 /// Positions and normals of one `geometry_key`.
 pub(super) struct MeshGeometry {
@@ -83,7 +83,7 @@ impl MeshPrograms {
         &self,
         geometry: &MeshGeometry,
         colors: &MeshColors,
-        pass: DrawPass,
+        (pass, cut_in_item): (DrawPass, [f32; 4]),
         camera: &CameraUniforms,
         viewport: Viewport,
     ) {
@@ -108,6 +108,7 @@ impl MeshPrograms {
         program.use_uniform("eye_from_item", camera.eye_from_item);
         program.use_uniform("clip_from_eye", camera.clip_from_eye);
         program.use_uniform("up_in_item", camera.up_in_item);
+        program.use_uniform("cut_in_item", Vec4::from(cut_in_item));
         program.use_uniform("see_through", i32::from(pass == DrawPass::SeeThrough));
         program.use_vertex_attribute("position", &geometry.positions);
         program.use_vertex_attribute("packed_normal", &geometry.normals);

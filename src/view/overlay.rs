@@ -162,6 +162,12 @@ fn on_screen(in_eye: &Vector3<f64>) -> Vec2 {
     Vec2::new(in_eye.x as f32, -in_eye.y as f32)
 }
 
+/// The box that selects what is in it.
+pub(super) fn selection_box(painter: &egui::Painter, drawn: egui::Rect) {
+    let color = egui::Color32::from_rgb(90, 170, 255);
+    painter.rect(drawn, 0, color.gamma_multiply(0.15), egui::Stroke::new(1.0, color), egui::StrokeKind::Inside);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -190,7 +190,10 @@ impl Renderer {
             let geometry = self.cache.geometry.get(&item.geometry_key);
             let colors = self.cache.colors.get(&color_key(item));
             if let (Some(geometry), Some(colors)) = (geometry, colors) {
-                self.meshes.draw(geometry, colors, pass, &camera.of_item(&item.scene_from_item), viewport);
+                let cut = scene.cut.filter(|cut| cut.geometry_key == item.geometry_key);
+                // A plane that everything is above of.
+                let cut = cut.map_or([0.0, 0.0, 0.0, 1.0], |cut| cut.plane);
+                self.meshes.draw(geometry, colors, (pass, cut), &camera.of_item(&item.scene_from_item), viewport);
             }
         }
     }

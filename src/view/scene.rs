@@ -29,6 +29,17 @@ pub struct Scene {
     pub points: Vec<PointItem>,
     /// Measured points by the million.
     pub clouds: Vec<CloudItem>,
+    /// What is cut away of one of the meshes.
+    pub cut: Option<MeshCut>,
+}
+
+/// A plane below which a mesh is not drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshCut {
+    /// Whose facets.
+    pub geometry_key: u64,
+    /// Unit normal and distance in the item's frame: what has `normal · p + distance` below 0 is cut away.
+    pub plane: [f32; 4],
 }
 
 /// Triangles with one colour per facet, or per corner.
@@ -112,6 +123,7 @@ impl Default for Scene {
             lines: Vec::new(),
             points: Vec::new(),
             clouds: Vec::new(),
+            cut: None,
         }
     }
 }
@@ -136,6 +148,10 @@ impl Scene {
             [self.background_top, self.background_bottom].map(|[r, g, b]| u64::from(u32::from_be_bytes([0, r, g, b])));
         let counts = [self.meshes.len(), self.lines.len(), self.points.len()].map(|count| count as u64);
         let mut stamp = [[top, bottom].as_slice(), &counts].concat();
+        let cut = self.cut.into_iter();
+        stamp.extend(
+            cut.flat_map(|cut| [cut.geometry_key].into_iter().chain(cut.plane.map(|c| u64::from(c.to_bits())))),
+        );
         for mesh in &self.meshes {
             stamp.extend([mesh.geometry_key, mesh.colors_key, u64::from(mesh.edges.is_some())]);
             stamp.extend(place(&mesh.scene_from_item));
@@ -185,7 +201,8 @@ mod tests {
         let stamp = scene.stamp();
         assert_eq!(stamp, scene.clone().stamp());
 
-        let changes: [fn(&mut Scene); 6] = [
+        let changes: [fn(&mut Scene); 7] = [
+            |s| s.cut = Some(MeshCut { geometry_key: 1, plane: [0.0, 0.0, 1.0, 2.0] }),
             |s| s.meshes[0].colors_key = 9,
             |s| s.meshes[0].edges = Some(Arc::default()),
             |s| s.lines[0].width_px = 3.0,

@@ -13,6 +13,8 @@ pub struct ViewportResponse {
     pub clicked_px: Option<Point2<f64>>,
     /// Where the brush is, while the left button is down and the view has a brush.
     pub painted_px: Option<Point2<f64>>,
+    /// Two corners of a box that was drawn.
+    pub boxed_px: Option<[Point2<f64>; 2]>,
     /// Left double click.
     pub double_clicked_px: Option<Point2<f64>>,
     /// Right click, unless the mouse was moved in between.

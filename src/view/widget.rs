@@ -1,22 +1,24 @@
 //! The 3D view as an egui widget: turns gestures into camera moves and clicks into reports.
 //!
-//! Left drag orbits, middle or right drag pans, the wheel zooms at the cursor, clicks are
+//! Drags orbit and pan as [`Navigation`] says, the wheel zooms at the cursor, clicks are
 //! reported in physical pixels from the view's top-left corner. What a click means (selection,
 //! menu, focus) is the caller's business.
 
 use super::bounds::Bounds;
 use super::camera::Camera;
 use super::cloud::CloudDetail;
+use super::dragging::Dragging;
 use super::error::ViewError;
 use super::flight::Flight;
 use super::lens::{Projection, ViewSize};
 use super::motion::Motion;
+use super::navigation::{DragKind, Navigation};
 use super::overlay::{self, CubeLabels};
 use super::renderer::Renderer;
 use super::scene::Scene;
 use super::standard_view::StandardView;
 use super::viewport_response::{PixelRect, ViewportResponse};
-use eframe::egui::{self, PointerButton, Response, Sense};
+use eframe::egui::{self, Response, Sense};
 use eframe::{egui_glow, glow};
 use nalgebra::{Point3, Vector3};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -43,6 +45,9 @@ pub struct Viewport {
     pub name: String,
     /// A left drag is a stroke of the owner's brush, reported as `painted_px`; with Ctrl held it orbits as ever.
     pub brush: bool,
+    /// Which buttons move the camera.
+    pub navigation: Navigation,
+    dragging: Dragging,
     flight: Option<Flight>,
     motion: Motion,
     moves: Vec<CameraMove>,
@@ -86,6 +91,8 @@ impl Viewport {
             labels: CubeLabels::default(),
             name: String::new(),
             brush: false,
+            navigation: Navigation::default(),
+            dragging: Dragging::default(),
             flight: None,
             motion: Motion::default(),
             moves: Vec::new(),
@@ -97,6 +104,12 @@ impl Viewport {
     /// Lets go of all OpenGL objects; call it in `App::on_exit`, while the context still lives.
     pub fn release(&mut self) {
         self.drawing = None;
+    }
+
+    /// What the view showed last; `None`: there is no picture.
+    pub fn picture(&self) -> Option<image::RgbaImage> {
+        let drawing = self.drawing.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner);
+        Some(drawing.renderer.read_rgba()).filter(|picture| picture.width() > 0)
     }
 
     /// Glides to a standard view; target and zoom stay.
@@ -229,14 +242,16 @@ impl Viewport {
     fn apply_gestures(&mut self, ui: &egui::Ui, response: &Response, frame: &PixelRect, pick: Pick<'_>) {
         let delta = response.drag_delta();
         let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));
-        let pans = [PointerButton::Middle, PointerButton::Secondary];
-        if response.dragged_by(PointerButton::Primary) && !self.paints(ui) {
-            self.flight = None;
-            self.camera.orbit(dx, dy);
-        } else if pans.into_iter().any(|button| response.dragged_by(button)) {
-            self.flight = None;
+        self.dragging.begin(ui, response, self.navigation, self.brush);
+        if let Some(kind) = self.dragging.kind(response) {
             let scale = frame.px_per_point;
-            self.camera.pan(dx * scale, dy * scale, frame.size);
+            match kind {
+                DragKind::Orbit => self.camera.orbit(dx, dy),
+                DragKind::Pan => self.camera.pan(dx * scale, dy * scale, frame.size),
+                DragKind::Zoom => self.camera.zoom_about(self.camera.target, libm::exp(-dy * 2.0 * ZOOM_PER_POINT)),
+                DragKind::Box => {}
+            }
+            self.flight = self.flight.take().filter(|_| kind == DragKind::Box);
         }
         let Some(cursor_px) = response.hover_pos().map(|pos| frame.to_px(pos)) else {
             return;
@@ -309,11 +324,17 @@ impl Viewport {
         let pointer_px = response.interact_pointer_pos().map(|pos| frame.to_px(pos));
         let double = response.double_clicked();
         let dragging = response.dragged();
+        let drawn = self.dragging.drawn_box(ui, &response);
+        if let Some((drawn, false)) = drawn {
+            overlay::selection_box(&ui.painter_at(response.rect), drawn);
+        }
+        let boxed = drawn.filter(|(_, is_over)| *is_over);
         let is_pressed = response.is_pointer_button_down_on() && ui.input(|input| input.pointer.primary_down());
         let hover_px = response.hover_pos().filter(|_| response.hovered() && !dragging);
         ViewportResponse {
             clicked_px: pointer_px.filter(|_| response.clicked() && !double),
             painted_px: pointer_px.filter(|_| is_pressed && self.paints(ui)),
+            boxed_px: boxed.map(|(drawn, _)| [drawn.min, drawn.max].map(|corner| frame.to_px(corner))),
             double_clicked_px: pointer_px.filter(|_| double),
             secondary_clicked_px: pointer_px.filter(|_| response.secondary_clicked()),
             hover_px: hover_px.map(|pos| frame.to_px(pos)),

@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test file uses its own share")]
 
 use super::glow_renderer::GlowTestRenderer;
-use clearbeam::app::{App, FileDialogs, Purpose};
+use clearbeam::app::{App, FileDialogs, Purpose, WindowDialogs};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, SnapshotOptions};
@@ -14,7 +14,13 @@ use std::sync::{Arc, Mutex};
 pub struct Answers(pub Arc<Mutex<Vec<(Purpose, PathBuf)>>>);
 
 impl FileDialogs for Answers {
-    fn ask(&self, purpose: Purpose, _name: &str, answer: Box<dyn FnOnce(Option<PathBuf>) + Send>) {
+    fn ask(
+        &self,
+        purpose: Purpose,
+        _name: &str,
+        _ctx: &egui::Context,
+        answer: Box<dyn FnOnce(Option<PathBuf>) + Send>,
+    ) {
         let known = self.0.lock().expect("not poisoned");
         answer(known.iter().find(|(p, _)| *p == purpose).map(|(_, path)| path.clone()));
     }
@@ -35,14 +41,38 @@ pub fn window_with_recipes(
     recipes: Option<PathBuf>,
 ) -> Harness<'static, App> {
     let answers = answers.clone();
-    let mut harness = Harness::builder()
+    let mut harness = built(move |cc| App::new(cc, Box::new(answers), open).with_recipes(recipes));
+    settle(&mut harness);
+    harness
+}
+
+fn built(app: impl FnOnce(&eframe::CreationContext<'_>) -> App) -> Harness<'static, App> {
+    Harness::builder()
         .with_size(egui::vec2(1280.0, 800.0))
         .with_render_cursor(false)
         .with_step_dt(1.0 / 60.0)
         .renderer(GlowTestRenderer::new())
-        .build_eframe(move |cc| App::new(cc, Box::new(answers), open).with_recipes(recipes));
+        .build_eframe(move |cc| app(cc))
+}
+
+/// The real window with the file dialogs that it draws itself, from this folder on.
+pub fn window_with_own_dialogs(open: Option<PathBuf>, folder: &Path) -> Harness<'static, App> {
+    let dialogs = WindowDialogs::in_window(folder);
+    let mut harness = built(move |cc| App::new(cc, Box::new(dialogs), open));
     settle(&mut harness);
     harness
+}
+
+/// Runs frames until a label is there.
+pub fn wait_for(harness: &mut Harness<'_, App>, label: &str) {
+    for _ in 0..2000 {
+        harness.step();
+        if harness.query_all_by_label(label).next().is_some() {
+            return harness.run_steps(8);
+        }
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    panic!("{label} never came");
 }
 
 /// Runs frames until nothing is being computed.
@@ -50,7 +80,8 @@ pub fn settle(harness: &mut Harness<'_, App>) {
     for _ in 0..3000 {
         harness.step();
         if harness.state().is_settled() {
-            harness.run_steps(3);
+            // What has just come up takes no clicks until it is faded in.
+            harness.run_steps(8);
             if harness.state().is_settled() {
                 return;
             }
@@ -60,13 +91,37 @@ pub fn settle(harness: &mut Harness<'_, App>) {
     panic!("the window never came to rest");
 }
 
+/// The tabs of the settings.
+const TABS: [&str; 7] = ["Path", "Beam", "Part", "Robot", "Dose", "Scan", "Weld"];
+
+/// Opens a tab of the settings.
+pub fn tab(harness: &mut Harness<'_, App>, name: &str) {
+    harness.get_by_label(&format!("settings: {name}")).click();
+    settle(harness);
+}
+
+/// Opens the tab in which a widget stands, as somebody does who looks for it.
+pub fn bring(harness: &mut Harness<'_, App>, label: &str) {
+    let is_there = |harness: &Harness<'_, App>| harness.query_all_by_label(label).next().is_some();
+    for name in TABS {
+        if is_there(harness) {
+            return;
+        }
+        if harness.query_all_by_label(&format!("settings: {name}")).next().is_some() {
+            tab(harness, name);
+        }
+    }
+}
+
 pub fn click(harness: &mut Harness<'_, App>, label: &str) {
+    bring(harness, label);
     harness.get_by_label(label).click();
     settle(harness);
 }
 
 /// Brings a widget of a panel into sight.
 pub fn reveal(harness: &mut Harness<'_, App>, label: &str) {
+    bring(harness, label);
     harness.get_by_label(label).scroll_to_me();
     settle(harness);
 }

@@ -3,7 +3,7 @@
 use crate::JOB;
 use crate::common::window::{click, press};
 use crate::window::Window;
-use clearbeam::app::{Command, Jump, More, Toggle, TurnAxis};
+use clearbeam::app::{Command, Jump, More, RowStep, Toggle, TurnAxis};
 use clearbeam::document::Edit;
 use clearbeam::part::{SurfaceId, angle};
 use eframe::egui::{Key, Modifiers};
@@ -50,20 +50,27 @@ pub fn file(w: &mut Window, command: Command) {
             assert!(w.file("other.toml").exists());
         }
         Command::ExportDryRun => {
-            w.give(command, &[]);
+            export(w, command);
             assert!(w.file("program/MZ04-01-A.001").exists(), "the program that was exported before stays beside it");
             let dry = std::fs::read_to_string(w.file("program/MZ04-01-A.401")).expect("written");
             assert!(dry.contains("DRY RUN") && !dry.lines().any(|l| l.starts_with("SET ")), "{dry}");
         }
         _ => {
-            w.give(command, &[]);
+            export(w, command);
             assert!(w.file("program/MZ04-01-A.001").exists() && !w.file("program/dose.ply").exists());
             w.give(Command::Toggle(Toggle::Dose), &[]);
-            w.give(command, &[]);
+            export(w, command);
             assert!(w.file("program/dose.ply").exists(), "a dose that is looked at is written");
             w.give(Command::Toggle(Toggle::Dose), &[]);
         }
     }
+}
+
+/// Gives a command, and goes on from the page that it shows.
+fn export(w: &mut Window, command: Command) {
+    w.give(command, &[]);
+    assert!(w.says("Not done") && w.says("Assumed"), "what is written is told before");
+    click(&mut w.h, "Export");
 }
 
 /// Passes before the current one are dimmed and left out of exports until the chip is clicked.
@@ -71,11 +78,11 @@ pub fn go_on(w: &mut Window) {
     let before = w.picture();
     w.give(Command::Go(Jump::NextPass), &[]);
     w.give(Command::Go(Jump::NextPass), &[]);
-    w.give(Command::ExportFromPass, &[]);
+    export(w, Command::ExportFromPass);
     let left = std::fs::read_to_string(w.file("program/MZ04-01-A.201")).expect("written");
     assert!(left.contains("goes on from pass 2") && !left.contains("pass 1, surface"), "{left}");
     assert!(w.says("Export from pass 2 on") && w.picture() != before);
-    w.give(Command::ExportDryRun, &[]);
+    export(w, Command::ExportDryRun);
     assert!(w.file("program/MZ04-01-A.601").exists(), "what is left can be tried dry");
     click(&mut w.h, "From pass 2 on ×");
     assert!(!w.says("Export from pass 2 on"));
@@ -128,6 +135,10 @@ pub fn select(w: &mut Window, more: More) {
             })
             .collect(),
         More::SameNormal => w.app().surfaces().into_iter().filter(|n| flat(*n, own)).collect(),
+        More::Larger => {
+            let area = |n: u32| all.get(n).expect("there").area_mm2;
+            w.app().surfaces().into_iter().filter(|n| area(*n) >= area(1)).collect()
+        }
         More::Neighbours => {
             let near = all.neighbours(&part.mesh, 1);
             w.app().surfaces().into_iter().filter(|n| *n == 1 || near.contains(n)).collect()
@@ -135,6 +146,32 @@ pub fn select(w: &mut Window, more: More) {
     };
     assert!(expected.contains(&1) && expected.len() < 18);
     assert_eq!(w.app().selected().iter().copied().collect::<Vec<u32>>(), expected, "{more:?}");
+}
+
+/// A tool is taken into the hand, and laid down with Escape.
+pub fn takes_tool(w: &mut Window, command: Command, says: &str) {
+    assert!(!w.says(says));
+    w.give(command, &[]);
+    assert!(w.says(says), "{command:?}");
+    w.give(Command::Escape, &[]);
+    assert!(!w.says(says));
+}
+
+/// The rows of a list are gone through from the surface that was selected last.
+pub fn select_row(w: &mut Window, step: RowStep) {
+    let next = match step {
+        RowStep::Below => 6,
+        RowStep::Above => 4,
+    };
+    click(&mut w.h, "surface 5 plane");
+    w.give(Command::SelectRow(step), &[]);
+    assert!(w.app().selected().iter().eq(&[next]), "{:?}", w.app().selected());
+    // A surface that was moved stays selected; the next one is that beside it.
+    w.give(Command::Clean, &[]);
+    assert!(w.to_clean().contains(&next) && w.app().selected().iter().eq(&[next]));
+    w.give(Command::SelectRow(step), &[]);
+    assert!(w.app().selected().iter().eq(&[next + 1]), "{:?}", w.app().selected());
+    w.undo();
 }
 
 pub fn surfaces(w: &mut Window, command: Command) {

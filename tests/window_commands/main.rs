@@ -9,7 +9,9 @@ mod view;
 mod window;
 
 use clearbeam::app::Command;
+use clearbeam::view::Navigation;
 use common::window::{Answers, press, sample, settle};
+use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use window::Window;
 
@@ -46,18 +48,47 @@ fn has_its_effect(stage: &mut Stage, command: Command) {
         C::Hide | C::Isolate | C::ShowAll => view::hide(w, command),
         C::Toggle(what) => view::toggle(stage, what),
         C::Theme => {
-            let before = w.h.ctx.theme();
-            w.give(command, &[]);
-            assert_ne!(w.h.ctx.theme(), before);
-            w.give(command, &[]);
-            assert_eq!(w.h.ctx.theme(), before);
+            let preference = |w: &Window| w.h.ctx.options(|o| o.theme_preference);
+            let mut seen = vec![preference(w)];
+            for _ in 0..3 {
+                w.give(command, &[]);
+                seen.push(preference(w));
+            }
+            assert_eq!(seen[0], seen[3], "dark, light and the system's in turn");
+            assert!(seen[0] != seen[1] && seen[1] != seen[2] && seen[2] != seen[0], "{seen:?}");
         }
+        C::Navigate(_) => {
+            assert!(!w.says("Middle drag orbits"));
+            w.give(command, &[]);
+            w.give(C::Help, &[]);
+            let habits = command != C::Navigate(Navigation::Slicer);
+            assert_eq!(w.says("Middle drag orbits"), habits, "{command:?}");
+            w.give(C::Help, &[]);
+            w.give(C::Navigate(Navigation::Slicer), &[]);
+        }
+        C::SelectByPainting => job::takes_tool(w, command, "Paint over surfaces"),
+        C::Measure => job::takes_tool(w, command, "Click two places"),
         // It is the whole process's, and other tests run beside this one: `window_chinese` gives it.
         C::Language => {}
         C::Plan | C::Cancel => plan::cancelled_and_planned_again(),
         C::BetterSetup => plan::better_setup(),
         C::Play => plan::play(&mut stage.robot),
         C::Go(jump) => plan::go(w, jump),
+        C::SelectRow(step) => job::select_row(w, step),
+        C::Palette => {
+            w.give(command, &[]);
+            w.h.get_by_label("Type what you are looking for").type_text("find flip sh");
+            settle(&mut w.h);
+            assert!(!w.says("command Flip side"), "every word is looked for");
+            press(&mut w.h, Modifiers::COMMAND, Key::A);
+            w.h.get_by_label("Type what you are looking for").type_text("shortc");
+            press(&mut w.h, Modifiers::NONE, Key::Enter);
+            assert!(w.says("Left drag orbits") && !w.says("Type what you"), "it is given, and the search is over");
+            w.give(C::Help, &[]);
+            w.give(command, &[]);
+            press(&mut w.h, Modifiers::NONE, Key::Escape);
+            assert!(!w.says("Type what you"));
+        }
         C::Help => {
             w.give(command, &[]);
             assert!(w.says("Left drag orbits"));
@@ -87,7 +118,8 @@ fn every_command_has_its_effect() {
 #[test]
 fn every_command_can_be_given_at_any_time() {
     use Command as C;
-    let nothing_needed = [C::Open, C::OpenWeld, C::Theme, C::Language, C::Help, C::Escape];
+    let nothing_needed = [C::Open, C::OpenWeld, C::Theme, C::Language, C::Palette, C::Help, C::Escape];
+    let nothing_needed: Vec<C> = nothing_needed.into_iter().chain(Navigation::ALL.map(C::Navigate)).collect();
     let mut h = common::window::window(None, &Answers::default());
     for command in Command::ALL {
         assert_eq!(h.state().can(*command), nothing_needed.contains(command), "{command:?} without a part");

@@ -64,6 +64,7 @@ edit_take_back = { $count ->
    *[other] take { $count } surfaces back
 }
 edit_rename = rename surface { $surface }
+edit_rename_several = rename { $count } surfaces
 edit_surface_border = change border of surface { $surface }
 edit_surface_centre = change spiral centre of surface { $surface }
 edit_flip_surface = flip surface { $surface }

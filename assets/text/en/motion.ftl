@@ -34,8 +34,9 @@ why_off_line = the spot would leave its line by { $off } mm
 
 ## What would help
 
-advice_gains = { $change }: { $gained } of { $of } refused targets become possible
-advice_gains_and_loses = { $change }: { $gained } of { $of } refused targets become possible, { $lost ->
+advice_change = { $change }: { $gains }
+advice_gains = { $gained } of { $of } refused targets become possible
+advice_gains_and_loses = { $gained } of { $of } refused targets become possible, { $lost ->
     [one] { $lost } other is lost
    *[other] { $lost } others are lost
 }

@@ -3,6 +3,7 @@
 ## Kinds of colouring
 
 dose_panel_heading = Dose
+dose_panel_shown = Show the dose
 dose_panel_by_dose = dose
 dose_panel_by_incidence = incidence
 dose_panel_by_surface = surfaces

@@ -4,6 +4,8 @@
 
 timeline_nothing_chosen = Move a surface to the list to clean: its path appears here
 timeline_no_plan = There is no plan: see the problems
+timeline_stopped = Planning was stopped; { $keys } plans again
+timeline_planning_at = The plan is being made: { $activity }, { $percent } %
 timeline_planning = The plan is being made
 timeline_no_line = No line crosses the chosen surfaces
 timeline_times = { $now } / { $total }

@@ -19,3 +19,15 @@ parameters_weld = Join corners
 parameters_turn = Turn
 parameters_move = Move
 parameters_place_field = { $name } { $axis }
+
+## Tabs
+
+tab_name = settings: { $tab }
+tab_lists = Lists
+tab_path = Path
+tab_beam = Beam
+tab_part = Part
+tab_robot = Robot
+tab_dose = Dose
+tab_scan = Scan
+tab_weld = Weld

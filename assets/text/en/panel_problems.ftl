@@ -35,8 +35,8 @@ file_dismiss_tip = It stays in the list of problems
 problems_help = What would help
 problems_help_looking = looking for what would help…
 problems_help_cancelled = the search was cancelled; { $keys } plans and searches again
-problems_help_none = No single change that was tried helps; look for a better set-up, under Cell
-problems_help_row = • { $advice }
+problems_help_none = No single change that was tried helps
+problems_help_undo = Changes the job and plans again; Undo takes it back
 
 ## Achieved spacing
 

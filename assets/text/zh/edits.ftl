@@ -61,6 +61,7 @@ edit_take_back = { $count ->
    *[other] 移回 { $count } 个面
 }
 edit_rename = 重命名面 { $surface }
+edit_rename_several = 重命名 { $count } 个面
 edit_surface_border = 更改面 { $surface } 的边界
 edit_surface_centre = 更改面 { $surface } 的螺旋中心
 edit_flip_surface = 翻转面 { $surface }

@@ -34,8 +34,9 @@ why_off_line = 光斑会偏离扫描线 { $off } mm
 
 ## 建议
 
-advice_gains = { $change }：{ $of } 个被拒绝的路径点中有 { $gained } 个变为可行
-advice_gains_and_loses = { $change }：{ $of } 个被拒绝的路径点中有 { $gained } 个变为可行，另有 { $lost } 个变为不可行
+advice_change = { $change }：{ $gains }
+advice_gains = { $of } 个被拒绝的路径点中有 { $gained } 个变为可行
+advice_gains_and_loses = { $of } 个被拒绝的路径点中有 { $gained } 个变为可行，另有 { $lost } 个变为不可行
 advice_free_spin = 不限制绕光轴转角
 advice_turn_on_flange = 将法兰上的零件绕其 { $axis } 轴转动 { $deg }°
 advice_turn_on_table = 将工作台上的零件绕其 { $axis } 轴转动 { $deg }°

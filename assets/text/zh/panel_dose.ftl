@@ -3,6 +3,7 @@
 ## 着色方式
 
 dose_panel_heading = 剂量
+dose_panel_shown = 显示剂量
 dose_panel_by_dose = 剂量
 dose_panel_by_incidence = 入射角
 dose_panel_by_surface = 面

@@ -4,6 +4,8 @@
 
 timeline_nothing_chosen = 将面移入待清洗列表，其路径会显示在这里
 timeline_no_plan = 没有规划：请查看问题
+timeline_stopped = 规划已停止；按 { $keys } 重新规划
+timeline_planning_at = 正在规划：{ $activity }，{ $percent } %
 timeline_planning = 正在规划
 timeline_no_line = 没有扫描线经过所选的面
 timeline_times = { $now } / { $total }

@@ -19,3 +19,15 @@ parameters_weld = 顶点焊接
 parameters_turn = 旋转
 parameters_move = 平移
 parameters_place_field = { $name } { $axis }
+
+## 选项卡
+
+tab_name = 设置：{ $tab }
+tab_lists = 列表
+tab_path = 路径
+tab_beam = 光束
+tab_part = 零件
+tab_robot = 机器人
+tab_dose = 剂量
+tab_scan = 扫描
+tab_weld = 焊缝

@@ -35,8 +35,8 @@ file_dismiss_tip = 仍保留在问题列表中
 problems_help = 改善建议
 problems_help_looking = 正在查找改善建议…
 problems_help_cancelled = 查找已取消；按 { $keys } 重新规划并查找
-problems_help_none = 试过的单项更改都没有改善；请在“工作站”中另找更合适的装夹布置
-problems_help_row = • { $advice }
+problems_help_none = 试过的单项更改均无帮助
+problems_help_undo = 更改作业并重新规划；可撤销
 
 ## 实际行距
 

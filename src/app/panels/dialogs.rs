@@ -5,6 +5,7 @@ use super::super::command::Menu;
 use super::super::context::Context;
 use super::super::session::AfterGuard;
 use crate::text::say;
+use crate::view::Navigation;
 use eframe::egui::{self, Id, Modal, RichText};
 
 /// *Save / Don't save / Cancel* before unsaved changes would be lost.
@@ -74,7 +75,11 @@ pub(in super::super) fn help(ctx: &egui::Context, context: Context<'_>, actions:
                 });
             }
             ui.label(RichText::new(say!(ask_view)).strong());
-            ui.label(say!(ask_view_mouse));
+            ui.label(match context.session.navigation {
+                Navigation::Slicer => say!(ask_view_mouse),
+                Navigation::Cad => say!(ask_view_mouse_cad),
+                Navigation::Blender => say!(ask_view_mouse_blender),
+            });
             ui.label(say!(ask_view_focus));
         });
     });

@@ -6,23 +6,15 @@ use super::super::context::Context;
 use super::super::theme;
 use super::problems;
 use crate::text::{id, say};
-use eframe::egui::{self, RichText, ScrollArea};
+use eframe::egui::{self, RichText};
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    // What would help stands under what is wrong.
-    let is_helped = context.refusing_plan().is_some() || context.plan().is_some_and(|of| !of.cures.is_empty());
-    let height = if is_helped { 230.0 } else { 130.0 };
-    // As high as its text, whatever height the panel had before.
-    let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
-    area.auto_shrink([false, true]).show(ui, |ui| problems::ui(ui, context, actions));
+    let height = (0.36 * ui.ctx().content_rect().height()).clamp(90.0, 260.0);
+    problems::ui(ui, height, context, actions);
     button(ui, context, actions);
 }
 
 fn button(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    let mut writes_page = context.session.writes_page;
-    if ui.checkbox(&mut writes_page, say!(cell_panel_page)).on_hover_text(say!(cell_panel_page_tip)).changed() {
-        actions.session(move |s| s.writes_page = writes_page);
-    }
     let ready = context.plan().is_some();
     let text = match context.going_on_from() {
         None => say!(cell_panel_export),

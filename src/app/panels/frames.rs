@@ -3,6 +3,7 @@
 
 use super::super::actions::Actions;
 use super::super::context::Context;
+use super::super::gizmo::state::{Gizmo, Moved};
 use super::entry::{Entry, refused};
 use crate::cell::calibration::CalibrationNote;
 use crate::cell::frame::{FARTHEST_ORIGIN_MM, MOST_TURNS_DEG};
@@ -125,6 +126,7 @@ fn of_job(
         actions.edit(Edit::Frames(Box::new(job_cell)));
         return;
     }
+    by_hand(ui, row.key, context, actions);
     let mut frame = now.clone().unwrap_or_else(|| of_cell.clone());
     let is_finite = |f: &Frame| f.position_mm.iter().chain(&f.rz_ry_rx_deg).all(|v| v.is_finite());
     if figures(ui, &(row.name)(), &(row.tip)(), &mut frame) && is_finite(&frame) {
@@ -133,6 +135,21 @@ fn of_job(
     }
     // The measurements are of the cell file's frame.
     calibrated(ui, note.filter(|_| !is_own));
+}
+
+/// Handles in the view of the cell, for what stands there.
+fn by_hand(ui: &mut egui::Ui, key: &str, context: Context<'_>, actions: &mut Actions) {
+    let moved = match key {
+        "base_from_laser" => Moved::Laser,
+        "base_from_part" => Moved::Part,
+        _ => return,
+    };
+    let is_on = context.session.gizmo.as_ref().is_some_and(|gizmo| gizmo.of == moved);
+    let button = egui::Button::selectable(is_on, say!(frames_move));
+    let response = ui.add_enabled(context.is_in_cell(), button).on_hover_text(say!(frames_move_tip));
+    if response.on_disabled_hover_text(say!(frames_move_not)).clicked() {
+        actions.session(move |s| s.gizmo = (!is_on).then(|| Gizmo::on(moved)));
+    }
 }
 
 /// The frame's name, and the way back if it is the job's own; whether that was taken.

@@ -1,12 +1,14 @@
-//! The panel of the job, group by group: lines, beam and tool, recipes, targets, surfaces, part, dose, cell.
+//! The settings of the job, in tabs: lines and recipes, beam, part and surfaces, robot, dose, and scan or weld where there
+//! is one. Below them stand problems and the export.
 
 use super::super::actions::Actions;
 use super::super::command::Command;
 use super::super::context::Context;
+use super::super::shown::Tab;
 use super::super::theme;
 use super::entry::{Entry, refused};
 use super::menu::told_why;
-use super::{beam, cell, export, library, lines, numbers, placement, recipe, scan, weld};
+use super::{beam, cell, dose, export, library, lines, lists, numbers, placement, recipe, scan, weld};
 use crate::document::parameter::Group;
 use crate::document::{Edit, Parameter};
 use crate::pose::Correction;
@@ -19,53 +21,90 @@ const SPEEDS: [&Parameter; 2] = [Parameter::named("beam.speed_mm_s"), Parameter:
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     // Always in sight: what is wrong, and what all the rest is for.
     egui::Panel::bottom("export").show(ui, |ui| export::ui(ui, context, actions));
-    egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-        // A scan tells what is worked, and is what one looks at first; without one it is rarely asked for.
-        let has_scan = context.document.job().scan.is_there();
-        let has_weld = context.has_weld();
-        if has_weld {
-            weld::ui(ui, context, actions);
-        }
-        if has_scan {
-            scan::ui(ui, context, actions);
-        }
-        if has_weld {
-            // Its strategies stand with the weld, and without light speeds are what is left of the beam.
-            theme::heading(ui, &say!(laying_heading));
-            numbers::of_job(ui, Group::Spacing, context, actions);
-            theme::heading(ui, &say!(parameters_speed));
-            numbers::chosen_of_job(ui, SPEEDS, context, actions);
-            beam::clamps(ui, context, actions);
-        } else {
-            lines::ui(ui, context, actions);
-            theme::heading(ui, &say!(parameters_beam));
-            numbers::of_job(ui, Group::Beam, context, actions);
-            correction(ui, context, actions);
-            beam::ui(ui, context, actions);
-        }
-        recipe::ui(ui, context, actions);
-        library::ui(ui, context, actions);
-        egui::CollapsingHeader::new(say!(parameters_targets)).id_salt("targets").show(ui, |ui| {
-            numbers::of_job(ui, Group::Targets, context, actions);
-        });
-        theme::heading(ui, &say!(parameters_surfaces));
-        numbers::of_job(ui, Group::Crease, context, actions);
-        egui::CollapsingHeader::new(say!(parameters_more_surfaces)).id_salt("more on surfaces").show(ui, |ui| {
-            numbers::of_job(ui, Group::Islands, context, actions);
-            split(ui, context, actions);
-        });
-        egui::CollapsingHeader::new(say!(parameters_part))
-            .id_salt("part")
-            .show(ui, |ui| placement::ui(ui, context, actions));
-        if !has_scan {
-            scan::ui(ui, context, actions);
-        }
-        if !has_weld {
-            weld::ui(ui, context, actions);
+    tabs(ui, context, actions);
+    let tab = context.tab();
+    if tab == Tab::Lists {
+        lists::ui(ui, context, actions);
+        return;
+    }
+    egui::ScrollArea::vertical().id_salt(tab).auto_shrink([false, false]).show(ui, |ui| match tab {
+        Tab::Lists => {}
+        Tab::Path => path(ui, context, actions),
+        Tab::Beam => of_beam(ui, context, actions),
+        Tab::Part => part(ui, context, actions),
+        Tab::Robot => cell::ui(ui, context, actions),
+        Tab::Dose => {
             beam::dose::ui(ui, context, actions);
+            dose::ui(ui, context, actions);
         }
-        cell::ui(ui, context, actions);
+        Tab::Scan => scan::ui(ui, context, actions),
+        Tab::Weld => weld::ui(ui, context, actions),
     });
+}
+
+fn tabs(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    ui.add_space(2.0);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        for tab in context.tabs() {
+            let is_on = context.tab() == tab;
+            let button = ui.add(egui::Button::selectable(is_on, tab.name()));
+            let told = || say!(tab_name, tab = tab.name());
+            button.widget_info(|| egui::WidgetInfo::selected(egui::Role::Tab, true, is_on, told()));
+            if button.clicked() {
+                actions.session(move |s| s.tab = Some(tab));
+            }
+        }
+    });
+    ui.separator();
+}
+
+/// How lines are laid on all surfaces, and by recipes on some.
+fn path(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    if context.has_weld() {
+        // Its strategies stand with the weld.
+        theme::heading(ui, &say!(laying_heading));
+        numbers::of_job(ui, Group::Spacing, context, actions);
+    } else {
+        lines::ui(ui, context, actions);
+    }
+    recipe::ui(ui, context, actions);
+    library::ui(ui, context, actions);
+    egui::CollapsingHeader::new(say!(parameters_targets)).id_salt("targets").show(ui, |ui| {
+        numbers::of_job(ui, Group::Targets, context, actions);
+    });
+}
+
+/// Beam and head; of a grinding tool its speeds.
+fn of_beam(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    if context.has_weld() {
+        theme::heading(ui, &say!(parameters_speed));
+        numbers::chosen_of_job(ui, SPEEDS, context, actions);
+        beam::clamps(ui, context, actions);
+    } else {
+        theme::heading(ui, &say!(parameters_beam));
+        numbers::of_job(ui, Group::Beam, context, actions);
+        correction(ui, context, actions);
+        beam::ui(ui, context, actions);
+    }
+}
+
+/// The part and its surfaces, and what can be measured of it.
+fn part(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    theme::heading(ui, &say!(parameters_surfaces));
+    numbers::of_job(ui, Group::Crease, context, actions);
+    egui::CollapsingHeader::new(say!(parameters_more_surfaces)).id_salt("more on surfaces").show(ui, |ui| {
+        numbers::of_job(ui, Group::Islands, context, actions);
+        split(ui, context, actions);
+    });
+    let header = egui::CollapsingHeader::new(say!(parameters_part)).id_salt("part").default_open(true);
+    header.show(ui, |ui| placement::ui(ui, context, actions));
+    if !context.has_scan() {
+        scan::ui(ui, context, actions);
+    }
+    if !context.has_weld() {
+        weld::ui(ui, context, actions);
+    }
 }
 
 fn correction(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {

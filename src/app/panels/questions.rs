@@ -3,10 +3,10 @@
 use super::super::actions::Actions;
 use super::super::context::Context;
 use super::super::questions::{Question, Reply};
+use super::export_page;
 use crate::document::CarriedOver;
 use crate::document::journal::LeftBehind;
-use crate::planning::export::FileConflict;
-use crate::text::{Sentence, carried_lines, hour_and_minute, say};
+use crate::text::{carried_lines, hour_and_minute, say};
 use eframe::egui::{self, Id, Modal, RichText, ScrollArea};
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -19,13 +19,13 @@ pub(in super::super) fn ui(ctx: &egui::Context, context: Context<'_>, actions: &
     }
     let Some(question) = context.question else { return };
     let shown = Modal::new(Id::unique("question")).show(ctx, |ui| {
-        ui.set_width(520.0);
+        ui.set_width((ctx.content_rect().width() - 60.0).clamp(320.0, 540.0));
         match question {
             Question::PartChanged { looked, .. } => part_changed(ui, &looked.file, looked.carried.as_deref()),
             Question::PartGone { file, .. } => part_gone(ui, file),
             Question::Restore(found) => restore(ui, found),
             Question::SaveOver(path) => save_over(ui, path, context.document.file() == Some(path)),
-            Question::ExportOver { dir, conflicts, .. } => export_over(ui, dir, conflicts),
+            Question::Export(review) => export_page::ui(ui, review, context, actions),
         }
     });
     if let Some(reply) = shown.inner.or(shown.should_close().then_some(Reply::Cancel)) {
@@ -126,22 +126,6 @@ fn save_over(ui: &mut egui::Ui, path: &Path, is_own: bool) -> Option<Reply> {
         (say!(ask_overwrite), Reply::Overwrite),
         (say!(ask_cancel), Reply::Cancel),
     ];
-    buttons(ui, rows)
-}
-
-fn export_over(ui: &mut egui::Ui, dir: &Path, conflicts: &[FileConflict]) -> Option<Reply> {
-    ui.heading(say!(ask_export_over));
-    ui.label(say!(ask_export_over_folder, folder = shown(dir)));
-    ScrollArea::vertical().max_height(200.0).show(ui, |ui| {
-        for conflict in conflicts {
-            ui.label(say!(ask_export_over_file, conflict = conflict.sentence()));
-        }
-    });
-    let mut rows = vec![(say!(ask_export_other), Reply::OtherFolder)];
-    if conflicts.iter().all(FileConflict::can_be_overwritten) {
-        rows.push((say!(ask_overwrite), Reply::Overwrite));
-    }
-    rows.push((say!(ask_cancel), Reply::Cancel));
     buttons(ui, rows)
 }
 

@@ -2,8 +2,8 @@
 //! widest place.
 
 use super::super::actions::Actions;
-use super::super::command::Toggle;
 use super::super::context::Context;
+use super::super::toggle::Toggle;
 use super::dose::bar;
 use crate::picture::spacing::{SpacingSample, SpacingScale};
 use crate::text::{fixed, id, say, spacing_labels};

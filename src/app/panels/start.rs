@@ -6,6 +6,10 @@ use super::super::context::Context;
 use crate::sample::SAMPLES;
 use crate::text::{about_sample, say};
 use eframe::egui::{self, RichText};
+use std::path::Path;
+
+/// Width of a picture, points.
+const WIDTH: f32 = 150.0;
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     ui.vertical_centered(|ui| {
@@ -30,7 +34,12 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         });
         ui.add_space(14.0);
         ui.label(RichText::new(say!(start_steps)).size(14.0));
-        ui.add_space(18.0);
+        ui.add_space(8.0);
+        let tour = egui::Button::new(RichText::new(say!(start_tour)).size(14.5));
+        if ui.add(tour).on_hover_text(say!(start_tour_tip)).clicked() {
+            actions.tour();
+        }
+        ui.add_space(12.0);
         ui.label(RichText::new(say!(start_samples)).strong());
         for s in SAMPLES {
             if ui.link(s.name.replace('_', " ")).on_hover_text(about_sample(s.part)).clicked() {
@@ -41,17 +50,39 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
     });
 }
 
-/// Files that were opened or saved last.
+/// Files that were opened or saved last, with the view as it was when they were left.
 fn recent(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     if context.recent.is_empty() {
         return;
     }
     ui.add_space(12.0);
     ui.label(RichText::new(say!(start_recent)).strong());
-    for path in context.recent {
-        let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        if ui.link(name).on_hover_text(path.display().to_string()).clicked() {
-            actions.open(path.clone());
-        }
+    let mut opened = None;
+    egui::ScrollArea::horizontal().id_salt("recent").show(ui, |ui| {
+        ui.horizontal(|ui| {
+            for path in context.recent {
+                ui.vertical(|ui| {
+                    ui.set_width(WIDTH);
+                    if row(ui, path, context) {
+                        opened = Some(path.clone());
+                    }
+                });
+            }
+        });
+    });
+    if let Some(path) = opened {
+        actions.open(path);
     }
+}
+
+/// A file with its picture, if there is one; whether it was clicked.
+fn row(ui: &mut egui::Ui, path: &Path, context: Context<'_>) -> bool {
+    let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    let picture = context.thumbnails.of(path).is_some_and(|texture| {
+        let image = egui::Image::new(texture).max_width(WIDTH).corner_radius(4).sense(egui::Sense::click());
+        let response = ui.add(image).on_hover_text(path.display().to_string());
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, say!(start_picture, file = &name)));
+        response.clicked()
+    });
+    ui.add(egui::Link::new(&name)).on_hover_text(path.display().to_string()).clicked() || picture
 }

@@ -12,17 +12,12 @@ use crate::part::rpy;
 use crate::planning::Plan;
 use crate::pose::{Target, TargetState};
 use crate::program::{Breakdown, Timeline};
-use crate::text::{clock, fixed, id, say};
+use crate::text::{Sentence as _, clock, fixed, id, say};
 use eframe::egui::{self, RichText, Slider};
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let Some(of) = context.derived.plan() else {
-        let text = match (context.clean_list().is_empty(), context.planning_error().is_some()) {
-            (true, _) => say!(timeline_nothing_chosen),
-            (false, true) => say!(timeline_no_plan),
-            (false, false) => say!(timeline_planning),
-        };
-        ui.label(RichText::new(text).weak());
+        ui.label(RichText::new(why_empty(ui.ctx(), context)).weak());
         return;
     };
     if of.plan.passes.is_empty() {
@@ -34,6 +29,20 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         None => pass_row(ui, &of.plan, context, actions),
     }
     target_numbers(ui, context, actions);
+}
+
+/// Why there is nothing to step through.
+fn why_empty(ctx: &egui::Context, context: Context<'_>) -> String {
+    let is_cancelled = context.derived.error(context.document).is_some_and(|e| e.is_cancelled());
+    match (context.clean_list().is_empty(), context.planning_error(), context.progress()) {
+        (true, ..) => say!(timeline_nothing_chosen),
+        _ if is_cancelled => say!(timeline_stopped, keys = Command::Plan.keys_text(ctx)),
+        (false, Some(_), _) => say!(timeline_no_plan),
+        (false, None, Some((activity, share))) => {
+            say!(timeline_planning_at, activity = activity.sentence(), percent = fixed(f64::from(share) * 100.0, 0))
+        }
+        (false, None, None) => say!(timeline_planning),
+    }
 }
 
 /// Play, time, speed, and what takes how much of the time.
@@ -141,7 +150,9 @@ fn target_numbers(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions
         ui.label(say!(timeline_tilt, angle = fixed(t.tilt_deg(), 2)));
         let [x, y, z] = [t.p.x, t.p.y, t.p.z].map(|c| fixed(c, 3));
         ui.monospace(say!(timeline_xyz, x, y, z));
-        flange(ui, t, context);
+        if !context.session.is_narrow {
+            flange(ui, t, context);
+        }
         going_on::chip(ui, context, actions);
         if t.state == TargetState::Blocked {
             ui.label(RichText::new(why_left_out(context, (pass, point))).color(ui.visuals().error_fg_color));

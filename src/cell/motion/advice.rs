@@ -194,26 +194,34 @@ pub fn changes(
 /// One thing changed, the smallest changes first.
 fn variants(setup: &Setup) -> Vec<(SetupChange, Setup)> {
     use FrameAxis::{X, Y, Z};
-    let mut out = Vec::new();
     let mount = setup.mount;
-    let changed = |edit: &dyn Fn(&mut Setup)| {
-        let mut changed = setup.clone();
-        edit(&mut changed);
-        changed
-    };
+    let mut changes = Vec::new();
     for (deg, mm) in TURNS_DEG.into_iter().zip(MOVES_MM) {
-        for (axis, direction) in [(Z, Vector3::z_axis()), (X, Vector3::x_axis()), (Y, Vector3::y_axis())] {
-            let turn = UnitQuaternion::from_axis_angle(&direction, deg.to_radians());
-            out.push((SetupChange::TurnPart { mount, axis, deg }, changed(&|s| turn_frame(part_frame(s), &turn))));
-        }
-        for (axis, i) in [(Z, 2), (X, 0), (Y, 1)] {
-            out.push((SetupChange::Move { mount, axis, mm }, changed(&|s| move_frame(fixed_frame(s), i, mm))));
-        }
+        changes.extend([Z, X, Y].map(|axis| SetupChange::TurnPart { mount, axis, deg }));
+        changes.extend([Z, X, Y].map(|axis| SetupChange::Move { mount, axis, mm }));
         if mount == Mount::PartInHand && mm > 0.0 {
-            out.push((SetupChange::HoldFurther { mm }, changed(&|s| move_frame(part_frame(s), 2, mm))));
+            changes.push(SetupChange::HoldFurther { mm });
         }
     }
-    out
+    changes.into_iter().map(|change| (change, change.applied(setup))).collect()
+}
+
+impl SetupChange {
+    /// The set-up with the change; a spin is no part of it.
+    pub fn applied(&self, setup: &Setup) -> Setup {
+        let mut changed = setup.clone();
+        match *self {
+            SetupChange::FreeSpin => {}
+            SetupChange::TurnPart { axis, deg, .. } => {
+                let direction = [Vector3::x_axis(), Vector3::y_axis(), Vector3::z_axis()][axis as usize];
+                let turn = UnitQuaternion::from_axis_angle(&direction, deg.to_radians());
+                turn_frame(part_frame(&mut changed), &turn);
+            }
+            SetupChange::Move { axis, mm, .. } => move_frame(fixed_frame(&mut changed), axis as usize, mm),
+            SetupChange::HoldFurther { mm } => move_frame(part_frame(&mut changed), 2, mm),
+        }
+        changed
+    }
 }
 
 fn part_frame(s: &mut Setup) -> &mut Frame {

@@ -1,5 +1,5 @@
 //! The numbers that an operator sets, each defined once, in [`PARAMETERS`]. From its row follow the field of the
-//! panel, the option of the command line, what values are refused, what recipes may hold, and the README's table.
+//! panel, the option of the command line, what values are refused, what recipes may hold, and the reference's table.
 //!
 //! A row knows no job: [`Job`](super::Job) finds the number of a row by its key (`model/by_key`), and the structs of
 //! the model take their defaults from here (`model/declare`). Words stand in `assets/text`, under the key.

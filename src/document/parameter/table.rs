@@ -1,4 +1,4 @@
-//! The rows, in the order of the README and of the options; those of a group are in the order of the panel. A row
+//! The rows, in the order of the reference and of the options; those of a group are in the order of the panel. A row
 //! more is a parameter more: beside it there is only its field in the model, and its words in
 //! `assets/text/*/parameters.ftl`.
 

@@ -87,6 +87,13 @@ pub fn conflicts(
     Ok(ownership::compare_folder(&folder, &of, (&names, &stays), reads_job)?.conflicts)
 }
 
+/// Names of files that an export writes for sure, and that stand in the folder already.
+pub fn standing(dir: &Path, job: &Job, setup: &Setup, options: &ExportOptions) -> Vec<String> {
+    let mut names = contents::names_ahead(job, setup, options);
+    names.retain(|name| dir.join(name).exists());
+    names
+}
+
 /// Writes a plan into a folder, made if it is not there. `job_file`: where the job was read from. `overwrite`: what
 /// [`conflicts`] tells is replaced.
 ///

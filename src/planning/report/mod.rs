@@ -23,6 +23,7 @@ pub use plan_status::{Grade, PlanStatus};
 pub use problem::{NotDone, Problem, problems};
 pub use rows::{OrderReport, SplitReport, SurfaceReport};
 pub use unproven::Unproven;
+pub use unverified::unverified;
 pub use written_files::{DryRunReport, FileDigest, StandingProgram, WrittenFiles};
 
 use super::cell_report::CellReport;
@@ -43,7 +44,6 @@ use nothing::nothing_planned;
 use rows::{splits, surface_rows};
 use serde::{Serialize, Serializer};
 use unproven::unproven;
-use unverified::unverified;
 
 /// The report. Lengths mm, areas mm², angles degrees, times s.
 #[derive(Clone, Debug, Serialize)]

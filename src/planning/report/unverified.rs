@@ -7,7 +7,7 @@ use crate::program::dialects;
 
 /// Frames of the shipped cell that the plan is made for, where the job has none of its own; figures that the robot's
 /// file calls unchecked; and what no public source confirms of the words that the program is written in.
-pub(super) fn unverified(job: &Job, setup: &Setup) -> Vec<PlanFinding> {
+pub fn unverified(job: &Job, setup: &Setup) -> Vec<PlanFinding> {
     let own = &job.cell;
     let used = match setup.mount {
         Mount::PartInHand => {

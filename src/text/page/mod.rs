@@ -72,7 +72,7 @@ fn page_of(
     page.section(&say!(page_time));
     page.table(&[], &time(report, times));
     page.section(&say!(page_assumed));
-    page.table(&[], &assumed(report));
+    page.table(&[], &super::assumed(&report.findings));
     page.section(&say!(page_files));
     let of_written = written.iter().flat_map(|w| &w.files).map(|f| vec![f.name.clone(), f.sha256.clone()]);
     let read = report.inputs.iter().map(|f| vec![say!(page_read, file = f.name.as_str()), f.sha256.clone()]);
@@ -184,19 +184,4 @@ fn time(r: &Report, times: Option<&Breakdown>) -> Vec<Vec<String>> {
         rows.extend(parts.map(|(name, s)| vec![name, clock(s)]));
     }
     rows
-}
-
-/// What nobody has measured or checked.
-fn assumed(r: &Report) -> Vec<Vec<String>> {
-    let told = |finding: &PlanFinding| match finding {
-        PlanFinding::UnverifiedFrame { cell, frames } => {
-            Some(vec![say!(page_frames_unmeasured, cell), super::listed(frames.iter().map(|f| (*f).to_owned()))])
-        }
-        PlanFinding::UnverifiedWord { words, .. } => {
-            Some(vec![say!(page_words_unchecked), super::listed(words.iter().cloned())])
-        }
-        _ => None,
-    };
-    let rows: Vec<Vec<String>> = r.findings.iter().filter_map(told).collect();
-    if rows.is_empty() { vec![vec![say!(page_nothing_assumed)]] } else { rows }
 }

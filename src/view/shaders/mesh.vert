@@ -5,6 +5,7 @@
 uniform mat4 eye_from_item;
 uniform mat4 clip_from_eye;
 uniform vec3 up_in_item; // the scene's z in the item's frame
+uniform vec4 cut_in_item; // below this plane nothing is drawn
 uniform int see_through; // 0 draws opaque facets, 1 those with alpha below 255
 
 in vec3 position;
@@ -13,6 +14,7 @@ in uvec4 color;
 
 SHADED out vec4 front_color;
 SHADED out vec3 back_color;
+out float above_cut;
 
 // Over the viewer's left shoulder.
 const vec3 KEY = normalize(vec3(-0.45, 0.55, 0.90));
@@ -48,6 +50,7 @@ void main() {
     vec3 inside = surface * vec3(0.52, 0.44, 0.38);
     back_color = to_srgb(lit(inside, -normal_in_eye, -up));
 
+    above_cut = dot(cut_in_item, vec4(position, 1.0));
     bool wanted = see_through == 0 ? color.a == 255u : (color.a > 0u && color.a < 255u);
     gl_Position = wanted ? clip_from_eye * (eye_from_item * vec4(position, 1.0))
                          : vec4(2.0, 2.0, 2.0, 1.0); // outside: the facet disappears

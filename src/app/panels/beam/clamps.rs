@@ -3,13 +3,16 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::dialogs::Purpose;
+use super::super::super::gizmo::state::{Gizmo, Moved};
+use super::super::super::session::PointerTool;
 use super::super::super::theme;
 use super::super::entry::{Entry, refused};
 use crate::beam::Obstacle;
 use crate::cell::frame::MOST_TURNS_DEG;
 use crate::document::Edit;
 use crate::document::job_file::FARTHEST_MM;
-use crate::text::{id, say};
+use crate::part::Units;
+use crate::text::{choices, id, say};
 use eframe::egui;
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
@@ -22,7 +25,9 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
                 gone = Some(i);
             }
         });
+        by_hand(ui, i, context, actions);
         dragged |= placed(ui, c, i);
+        units(ui, c, i, context, actions);
     }
     if let Some(i) = gone {
         clamps.remove(i);
@@ -33,6 +38,52 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
     if ui.button(say!(tool_add_clamp)).on_hover_text(say!(tool_add_clamp_tip)).clicked() {
         actions.ask(Purpose::Clamp);
     }
+}
+
+/// Handles in the view, and a click on the part.
+fn by_hand(ui: &mut egui::Ui, i: usize, context: Context<'_>, actions: &mut Actions) {
+    let is_moved = context.session.gizmo.as_ref().is_some_and(|gizmo| gizmo.of == Moved::Clamp(i));
+    let is_put = context.session.tool == PointerTool::PutClamp(i);
+    ui.horizontal(|ui| {
+        let button = ui.selectable_label(is_moved, say!(tool_clamp_move)).on_hover_text(say!(tool_clamp_move_tip));
+        button.widget_info(|| {
+            egui::WidgetInfo::selected(
+                egui::Role::Button,
+                true,
+                is_moved,
+                say!(tool_clamp_move_name, number = id(i + 1)),
+            )
+        });
+        if button.clicked() {
+            actions.session(move |s| s.gizmo = (!is_moved).then(|| Gizmo::on(Moved::Clamp(i))));
+        }
+        let button = ui.selectable_label(is_put, say!(tool_clamp_put)).on_hover_text(say!(tool_clamp_put_tip));
+        button.widget_info(|| {
+            egui::WidgetInfo::selected(egui::Role::Button, true, is_put, say!(tool_clamp_put_name, number = id(i + 1)))
+        });
+        if button.clicked() {
+            let tool = if is_put { PointerTool::Select } else { PointerTool::PutClamp(i) };
+            actions.session(move |s| s.tool = tool);
+        }
+    });
+}
+
+/// The unit of a clamp's file.
+fn units(ui: &mut egui::Ui, clamp: &Obstacle, i: usize, context: Context<'_>, actions: &mut Actions) {
+    ui.horizontal(|ui| {
+        theme::name(ui, &say!(tool_clamp_units), 50.0);
+        for u in Units::ALL {
+            let is_on = clamp.units == u;
+            let button = ui.selectable_label(is_on, choices::units(u));
+            let told = || say!(tool_clamp_units_name, number = id(i + 1), unit = choices::units(u));
+            button.widget_info(|| egui::WidgetInfo::selected(egui::Role::RadioButton, true, is_on, told()));
+            if button.clicked() && !is_on {
+                let mut clamps = context.document.job().clamps.clone();
+                clamps[i].units = u;
+                actions.edit(Edit::Clamps(clamps));
+            }
+        }
+    });
 }
 
 /// Where a clamp stands; returns whether that was changed.

@@ -11,7 +11,7 @@ use crate::text::{choices, say};
 use eframe::egui;
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
-    egui::CollapsingHeader::new(say!(tool_dose)).id_salt("dose").show(ui, |ui| {
+    egui::CollapsingHeader::new(say!(tool_dose)).id_salt("dose").default_open(true).show(ui, |ui| {
         let now = context.document.job().dose.profile;
         ui.horizontal(|ui| {
             theme::name(ui, &say!(tool_profile), 90.0).on_hover_text(say!(tool_profile_tip));

@@ -7,16 +7,28 @@ mod findings;
 pub(super) use figures::bar;
 
 use super::super::actions::Actions;
+use super::super::command::Command;
 use super::super::context::Context;
 use super::super::session::Coloring;
 use super::super::theme;
+use super::super::toggle::Toggle;
 use crate::picture::dose::{DoseLook, legend};
 use crate::text::say;
 use eframe::egui;
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+    let is_shown = context.session.show.is_on(Toggle::Dose);
+    let mut shows = is_shown;
+    let why = context.why_not(Command::Toggle(Toggle::Dose));
+    let check = ui.add_enabled(why.is_none(), egui::Checkbox::new(&mut shows, say!(dose_panel_shown)));
+    if check.on_disabled_hover_text(why.unwrap_or_default()).changed() {
+        actions.command(Command::Toggle(Toggle::Dose));
+    }
+    if !is_shown || context.derived.plan().is_none() {
+        return;
+    }
     let coloring = context.session.coloring;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         theme::heading(ui, &say!(dose_panel_heading));
         let ways = [
             (Coloring::Dose, say!(dose_panel_by_dose)),
@@ -33,7 +45,7 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         ui.horizontal(|ui| not_there(ui, context));
         return;
     };
-    egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+    ui.vertical(|ui| {
         let look = if coloring == Coloring::Incidence { DoseLook::Incidence } else { DoseLook::Dose };
         figures::scale(ui, &legend(&view.map, look));
         figures::shares(ui, view);

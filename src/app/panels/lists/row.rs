@@ -22,7 +22,7 @@ impl List<'_> {
         if let Some((of, text)) = &context.session.renaming
             && *of == n
         {
-            rename(ui, n, text.clone(), actions);
+            rename(ui, n, text.clone(), context, actions);
             return;
         }
         let state = if self.is_clean { state_of(n, context, ui.visuals()) } else { None };
@@ -42,13 +42,19 @@ impl List<'_> {
     }
 }
 
-fn rename(ui: &mut egui::Ui, n: u32, mut text: String, actions: &mut Actions) {
+/// The field of a name. Of several selected surfaces each gets it with a number.
+fn rename(ui: &mut egui::Ui, n: u32, mut text: String, context: Context<'_>, actions: &mut Actions) {
     let edit = ui.add(egui::TextEdit::singleline(&mut text).desired_width(f32::INFINITY));
     edit.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, say!(lists_name)));
     edit.request_focus();
     if ui.input(|i| i.key_pressed(Key::Enter)) {
         actions.session(|s| s.renaming = None);
-        actions.edit(Edit::Rename(SurfaceId(n), text));
+        match context.session.selected_ids() {
+            many if many.len() > 1 && many.contains(&SurfaceId(n)) && !text.trim().is_empty() => {
+                actions.edit(Edit::RenameSeveral(many, text));
+            }
+            _ => actions.edit(Edit::Rename(SurfaceId(n), text)),
+        }
     } else if edit.changed() {
         actions.session(move |s| s.renaming = Some((n, text)));
     }

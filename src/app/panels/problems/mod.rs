@@ -8,18 +8,61 @@ mod why;
 pub(super) use why::why_left_out;
 
 use super::super::actions::Actions;
-use super::super::command::Toggle;
 use super::super::context::Context;
 use super::super::theme;
+use super::super::toggle::Toggle;
 use super::file_banner;
 use crate::planning::PlannedJob;
 use crate::planning::report::{NothingReason, Notice, Severity};
 use crate::text::{NamedSentence as _, Naming, Sentence as _, example, remedy, say};
-use eframe::egui::{self, Color32, RichText};
+use eframe::egui::{self, CollapsingHeader, Color32, RichText, ScrollArea};
 
-pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
+/// A window lower than this opens with the problems folded: their number is told, and a click shows them.
+const LOW: f32 = 600.0;
+
+pub(in super::super) fn ui(ui: &mut egui::Ui, height: f32, context: Context<'_>, actions: &mut Actions) {
+    let (title, color) = title(context, ui.visuals());
+    let title = match color {
+        Some(color) => RichText::new(title).strong().color(color),
+        None => RichText::new(title).strong(),
+    };
+    let is_high = ui.ctx().content_rect().height() >= LOW;
+    let header = CollapsingHeader::new(title).id_salt("problems").default_open(is_high);
+    header.show_unindented(ui, |ui| {
+        // As high as its text, whatever height the panel had before.
+        let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+        area.auto_shrink([false, true]).show(ui, |ui| rows(ui, context, actions));
+    });
+}
+
+/// Whether there are problems and how many, with the colour of the worst.
+fn title(context: Context<'_>, visuals: &egui::Visuals) -> (String, Option<Color32>) {
+    if context.planning_error().is_some() {
+        return (say!(problems_heading), Some(visuals.error_fg_color));
+    }
+    let Some(of) = context.derived.plan() else {
+        let found = context.file_findings().len();
+        let title = if found == 0 { say!(problems_none) } else { say!(problems_count, count = found) };
+        return (title, None);
+    };
+    // Those of a plan that is out of date say nothing of the one to come.
+    if context.plan().is_none() {
+        return (say!(problems_out_of_date), Some(visuals.warn_fg_color));
+    }
+    let wrong: Vec<&Notice> = rows_of(of).filter(|n| n.severity() != Severity::Found).collect();
+    match wrong.first() {
+        None => (say!(problems_none), None),
+        Some(worst) => (say!(problems_count, count = wrong.len()), color(worst, visuals)),
+    }
+}
+
+/// That all is left out is told by the rows of what is left out.
+fn rows_of(of: &PlannedJob) -> impl Iterator<Item = &Notice> {
+    of.notices.iter().filter(|n| !matches!(n, Notice::NothingPlanned(NothingReason::AllBlocked { .. })))
+}
+
+fn rows(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     if let Some(why) = context.planning_error() {
-        theme::heading(ui, &say!(problems_heading));
         ui.label(RichText::new(why).color(ui.visuals().error_fg_color));
         changed_file::ui(ui, context, actions);
         return;
@@ -28,24 +71,14 @@ pub(in super::super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mu
         found_in_file(ui, context, actions);
         return;
     };
-    // That all is left out is told by the rows of what is left out.
-    let is_row = |n: &&Notice| !matches!(n, Notice::NothingPlanned(NothingReason::AllBlocked { .. }));
-    let rows = of.notices.iter().filter(is_row);
-    let (found, wrong): (Vec<_>, Vec<_>) = rows.partition(|n| n.severity() == Severity::Found);
-    let title = match wrong.len() {
-        // Those of a plan that is out of date say nothing of the one to come.
-        _ if context.plan().is_none() => say!(problems_out_of_date),
-        0 => say!(problems_none),
-        count => say!(problems_count, count),
-    };
-    theme::heading(ui, &title);
+    let (found, wrong): (Vec<_>, Vec<_>) = rows_of(of).partition(|n| n.severity() == Severity::Found);
     for notice in &wrong {
         row(ui, notice, of, actions);
         if context.plan().is_some() {
             cures::ui(ui, notice, of, actions);
         }
     }
-    suggestions::ui(ui, context);
+    suggestions::ui(ui, context, actions);
     if !found.is_empty() {
         theme::heading(ui, &say!(problems_found));
         for notice in found {
@@ -111,7 +144,10 @@ fn go_to(notice: &Notice, of: &PlannedJob, actions: &mut Actions) {
         return;
     };
     actions.go_to_target((pass, point));
-    actions.session(|s| s.show.set(Toggle::SectionPlane, false));
+    actions.session(|s| {
+        s.show.set(Toggle::SectionPlane, false);
+        s.camera_before_section = None;
+    });
     if let Some(t) = of.plan.passes.get(pass).and_then(|p| p.targets.get(point)) {
         // Wide enough to see the beam and what it hits.
         actions.look_at(t.p, of.job.beam.defocus_mm.abs().max(10.0));

@@ -1,10 +1,10 @@
 //! The legend of the scan's points, in a corner of the view: the scale of their distances from the model, and what the
 //! other colours stand for.
 
-use super::super::super::command::Toggle;
 use super::super::super::context::Context;
 use super::super::super::scan_tool::ScanTool;
 use super::super::super::theme;
+use super::super::super::toggle::Toggle;
 use super::super::color_strip;
 use crate::picture::Legend;
 use crate::picture::palette::scan::LEFT_OUT;

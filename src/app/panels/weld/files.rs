@@ -1,10 +1,11 @@
 //! The files of a weld: its images with the camera, where the camera stood, and the tool.
 
 use super::super::super::actions::Actions;
-use super::super::super::command::{Command, Toggle};
+use super::super::super::command::Command;
 use super::super::super::context::Context;
 use super::super::super::dialogs::Purpose;
 use super::super::super::theme;
+use super::super::super::toggle::Toggle;
 use crate::document::WeldEdit;
 use crate::document::model::WeldFiles;
 use crate::text::say;

@@ -2,8 +2,8 @@
 //! that adds to the mask and takes from it.
 
 use super::super::super::actions::Actions;
-use super::super::super::command::Toggle;
 use super::super::super::context::Context;
+use super::super::super::toggle::Toggle;
 use super::super::super::weld::{ImageHand, ImageTextures, ImagesView, MaskStep};
 use super::super::entry::{Entry, refused};
 use super::canvas::{self, Pane};

@@ -1,7 +1,7 @@
 //! The legend of a bead's points, in a corner of the view.
 
-use super::super::super::command::Toggle;
 use super::super::super::context::Context;
+use super::super::super::toggle::Toggle;
 use super::scale;
 use crate::picture::weld::height_color;
 use crate::text::say;
