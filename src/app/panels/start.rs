@@ -5,7 +5,7 @@ use super::super::command::Command;
 use super::super::context::Context;
 use crate::sample::SAMPLES;
 use crate::text::{about_sample, say};
-use eframe::egui::{self, RichText};
+use eframe::egui::{self, RichText, vec2};
 use std::path::Path;
 
 /// Width of a picture, points.
@@ -59,7 +59,10 @@ fn recent(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     ui.label(RichText::new(say!(start_recent)).strong());
     let mut opened = None;
     egui::ScrollArea::horizontal().id_salt("recent").show(ui, |ui| {
-        ui.horizontal(|ui| {
+        ui.horizontal_top(|ui| {
+            let gap = ui.spacing().item_spacing.x;
+            let all = context.recent.len() as f32 * (WIDTH + gap) - gap;
+            ui.add_space(((ui.available_width() - all) * 0.5).max(0.0));
             for path in context.recent {
                 ui.vertical(|ui| {
                     ui.set_width(WIDTH);
@@ -78,6 +81,11 @@ fn recent(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
 /// A file with its picture, if there is one; whether it was clicked.
 fn row(ui: &mut egui::Ui, path: &Path, context: Context<'_>) -> bool {
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    if context.thumbnails.of(path).is_none() {
+        // As high as a picture, so that the names stand in a row.
+        let (rect, _) = ui.allocate_exact_size(vec2(WIDTH, WIDTH * 2.0 / 3.0), egui::Sense::hover());
+        ui.painter().rect_filled(rect, 4, ui.visuals().faint_bg_color);
+    }
     let picture = context.thumbnails.of(path).is_some_and(|texture| {
         let image = egui::Image::new(texture).max_width(WIDTH).corner_radius(4).sense(egui::Sense::click());
         let response = ui.add(image).on_hover_text(path.display().to_string());
