@@ -4,7 +4,7 @@ mod common;
 
 use clearbeam::app::{App, Command, Purpose};
 use clearbeam::view::{Navigation, ViewSize};
-use common::window::{Answers, click, drag, press, sample, settle, tab, window};
+use common::window::{Answers, click, click_at, drag, press, sample, settle, tab, window};
 use eframe::egui::{Key, Modifiers, Pos2, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -24,15 +24,6 @@ fn on_screen(h: &Harness<'_, App>, at: Point3<f64>) -> Pos2 {
     let size = ViewSize::new(f64::from(rect.width()), f64::from(rect.height()));
     let (x, y, _) = h.state().camera().project(&at, size).expect("before the eye");
     rect.min + vec2(x as f32, y as f32)
-}
-
-fn click_at(h: &mut Harness<'_, App>, at: Pos2) {
-    h.hover_at(at);
-    h.step();
-    h.drag_at(at);
-    h.step();
-    h.drop_at(at);
-    settle(h);
 }
 
 #[test]

@@ -7,7 +7,7 @@ mod common;
 use clearbeam::app::App;
 use clearbeam::document::Edit;
 use clearbeam::path::Direction;
-use common::window::{Answers, click, job_on, press, sample, settle, snapshot, tab, window};
+use common::window::{Answers, click, click_at, job_on, press, sample, settle, snapshot, tab, window};
 use eframe::egui::{self, Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, Node};
@@ -45,15 +45,9 @@ fn the_arm_carries_the_part_under_the_laser() {
 }
 
 /// Clicks at a share of a widget's width.
-fn click_at(h: &mut Harness<'_, App>, label: &str, share: f32) {
-    let rect = h.get_by_label(label).rect();
-    let at = rect.lerp_inside(egui::vec2(share, 0.5));
-    h.hover_at(at);
-    h.step();
-    h.drag_at(at);
-    h.step();
-    h.drop_at(at);
-    settle(h);
+fn click_in(h: &mut Harness<'_, App>, label: &str, share: f32) {
+    let at = h.get_by_label(label).rect().lerp_inside(egui::vec2(share, 0.5));
+    click_at(h, at);
 }
 
 fn words(node: &Node<'_>) -> String {
@@ -75,7 +69,7 @@ fn time_and_target_lead_each_other() {
     let mut h = cup(&folder);
     let (start_s, all_s, first) = place(&h);
     assert!(start_s < all_s && first == "pass 0 · point 0", "{first}");
-    click_at(&mut h, "time", 0.5);
+    click_in(&mut h, "time", 0.5);
     let (middle_s, _, target) = place(&h);
     assert!(middle_s.abs_diff(all_s / 2) <= 1 && target != first, "{middle_s} of {all_s}, {target}");
     // Targets lead the time.
@@ -115,7 +109,7 @@ fn a_click_in_a_curve_goes_there_and_the_line_of_the_program_follows() {
     press(&mut h, Modifiers::NONE, Key::M);
     press(&mut h, Modifiers::NONE, Key::P);
     for (curve, share) in [("curves of joints", 0.8), ("curve of the clearance", 0.5)] {
-        click_at(&mut h, curve, share);
+        click_in(&mut h, curve, share);
         let (now_s, all_s, _) = place(&h);
         // The axis stands left of the curve.
         let at = now_s as f64 / all_s as f64;
@@ -129,7 +123,7 @@ fn a_click_in_a_curve_goes_there_and_the_line_of_the_program_follows() {
         press(&mut h, Modifiers::NONE, Key::ArrowRight);
     }
     assert_ne!(place(&h).2, first);
-    click_at(&mut h, &line, 0.2);
+    click_in(&mut h, &line, 0.2);
     assert_eq!((place(&h).0, place(&h).2), (begun_s, first));
     h.remove_cursor();
     assert!(h.try_run().is_ok(), "frames are asked for without end");

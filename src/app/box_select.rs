@@ -30,7 +30,7 @@ impl Context<'_> {
             });
             middles.take(TRIES).any(|px| {
                 let picked = self.picked_at(camera.ray_through(px, size));
-                picked.is_some_and(|(facet, _)| self.derived.surfaces.of_facet.get(facet as usize) == Some(&n))
+                picked.and_then(|(facet, _)| self.surface_of(facet)) == Some(n)
             })
         };
         let all = self.derived.surfaces.list.iter().filter(|s| !self.session.hidden.contains(&s.number));

@@ -1,7 +1,7 @@
 //! Every command once: name, menu and keys. Menus, shortcuts, the page of shortcuts and the tests that sweep all
 //! commands are made from this table.
 //!
-//! When a command can be given, and what it does, stands in `run` (`is_enabled` and `run`). Both match all commands, so
+//! When a command can be given stands in `enabled`, what it does in `run`. Both match all commands, so
 //! one that was forgotten there does not compile. One without a row in the table does not compile either.
 
 use super::toggle::Toggle;

@@ -9,7 +9,7 @@ use crate::beam::Obstacle;
 use crate::document::files::{self, JobError};
 use crate::document::{Edit, IfChanged, Remembered};
 use crate::planning::export::{self, ExportError, ExportInput, Page};
-use crate::planning::report::{PlanFinding, unverified};
+use crate::planning::report::PlanFinding;
 use crate::planning::{Failure, PlannedJob};
 use crate::progress::Activity;
 use crate::text::{NamedSentence as _, Naming, Sentence as _, program_comment, report_page, say};
@@ -124,12 +124,7 @@ impl App {
     pub(super) fn export(&mut self, review: ExportReview) {
         let ExportReview { dir, dry_run, conflicts, .. } = review;
         let overwrite = !conflicts.is_empty();
-        // A cell or head that was changed meanwhile is not what was planned with.
-        self.derived.pipeline.look_again();
-        let Some(planned) = self.derived.current_plan(&self.document).cloned() else {
-            self.session.error = Some(say!(window_no_finished_plan));
-            return;
-        };
+        let Some(planned) = self.plan_to_export() else { return };
         self.session.exported_dry_run = dry_run;
         let options = self.export_options(dry_run);
         let (job, file) = (self.document.job().clone(), self.document.file().map(Path::to_path_buf));
@@ -178,9 +173,8 @@ impl App {
             Err(Failure::Refused(ExportError::Conflicts { dir, conflicts })) => {
                 self.session.said.clear();
                 let Some(planned) = self.derived.current_plan(&self.document) else { return };
-                let (job, setup, dry_run) = (self.document.job(), &planned.setup, self.session.exported_dry_run);
-                let standing = export::standing(&dir, job, setup, &self.export_options(dry_run));
-                let review = ExportReview { dir, dry_run, conflicts, standing, assumed: unverified(job, setup) };
+                let options = self.export_options(self.session.exported_dry_run);
+                let review = ExportReview::new(dir, conflicts, self.document.job(), &planned.setup, &options);
                 self.question = Some(Question::Export(Box::new(review)));
             }
             Err(why) => self.session.error = Some(why.sentence()),

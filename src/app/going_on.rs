@@ -16,7 +16,7 @@ impl Context<'_> {
     /// The target nearest to the place that was right clicked, on the surface there.
     pub fn target_at_menu_place(self) -> Option<(usize, usize)> {
         let (facet, at) = self.session.menu_place?;
-        let surface = *self.derived.surfaces.of_facet.get(facet as usize)?;
+        let surface = self.surface_of(facet)?;
         let passes = &self.derived.plan_on_part()?.plan.passes;
         let on_surface = passes.iter().enumerate().filter(|(_, p)| p.surface == surface);
         let targets = on_surface

@@ -30,7 +30,7 @@ impl Context<'_> {
     }
 
     fn place_line(self, (facet, at): &Picked) -> String {
-        let surface = self.derived.surfaces.of_facet.get(*facet as usize).copied().unwrap_or_default();
+        let surface = self.surface_of(*facet).unwrap_or_default();
         let label = self.derived.label(self.document.job(), surface);
         let [x, y, z] = [at.x, at.y, at.z].map(|c| fixed(c, 3));
         say!(measure_place, surface = id(surface), label, x, y, z)
@@ -61,8 +61,7 @@ impl Context<'_> {
     }
 
     fn measure_of(self, (facet, _): &Picked) -> Option<Measure> {
-        let surface = *self.derived.surfaces.of_facet.get(*facet as usize)?;
-        match self.derived.shape(surface)? {
+        match self.derived.shape(self.surface_of(*facet)?)? {
             Shape::Plane { normal } => Some(Measure::Plane(*normal)),
             Shape::Cylinder { centre, axis, .. } => Some(Measure::Axis { through: *centre, along: *axis }),
             Shape::Cone { apex, axis, .. } => Some(Measure::Axis { through: *apex, along: *axis }),

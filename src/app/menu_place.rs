@@ -9,7 +9,7 @@ impl Context<'_> {
     /// The place, mm in the part's frame, with its surface.
     fn menu_place(self) -> Option<(SurfaceId, Point3<f64>)> {
         let (facet, at) = self.session.menu_place?;
-        Some((SurfaceId(*self.derived.surfaces.of_facet.get(facet as usize)?), at))
+        Some((SurfaceId(self.surface_of(facet)?), at))
     }
 
     /// The place and its surface, if that is worked in a spiral.

@@ -241,7 +241,7 @@ impl Context<'_> {
             return None;
         }
         let part = self.derived.part.as_ref()?;
-        let clean = self.clean_list();
+        let hidden_too = if show.is_on(Toggle::HideChosen) { self.clean_list() } else { Vec::new() };
         let part_from_scene = self.scene_from_part().inverse();
         let (mut origin, dir) = (part_from_scene * origin, part_from_scene * dir);
         // A ray that starts far behind everything: parallel cameras may stand inside the part.
@@ -250,9 +250,8 @@ impl Context<'_> {
             let facet = part.mesh.side_towards(hit.facet, &dir);
             let surface = self.surface_of(facet)?;
             let point = origin + dir * hit.t_mm;
-            let is_hidden = self.is_cut_away(&point)
-                || self.session.hidden.contains(&surface)
-                || show.is_on(Toggle::HideChosen) && clean.contains(&surface);
+            let is_hidden =
+                self.is_cut_away(&point) || self.session.hidden.contains(&surface) || hidden_too.contains(&surface);
             if !is_hidden {
                 return Some((facet, point));
             }
@@ -267,7 +266,7 @@ impl Context<'_> {
     }
 
     /// The surface that a facet belongs to.
-    fn surface_of(self, facet: u32) -> Option<u32> {
+    pub fn surface_of(self, facet: u32) -> Option<u32> {
         self.derived.surfaces.of_facet.get(facet as usize).copied()
     }
 }

@@ -125,9 +125,9 @@ impl App {
         }
     }
 
-    /// One tool at a time is in the hand.
     fn take_tool(&mut self, tool: PointerTool) {
-        (self.session.tool, self.session.scan_tool, self.session.gizmo) = (tool, None, None);
+        self.session.empty_hand();
+        self.session.tool = tool;
     }
 
     fn change_projection(&mut self) {

@@ -322,6 +322,11 @@ impl Session {
         self.anchor = surface;
     }
 
+    /// Lays down what is in the hand: one tool at a time is.
+    pub fn empty_hand(&mut self) {
+        (self.tool, self.scan_tool, self.gizmo) = (PointerTool::Select, None, None);
+    }
+
     /// Resets all that belongs to one part.
     pub fn forget_part(&mut self) {
         let playback = Playback::at_speed(self.playback.speed);

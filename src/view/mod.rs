@@ -48,7 +48,7 @@ pub use flight::Flight;
 pub use headless::HeadlessGl;
 pub use lens::{Projection, ViewSize};
 pub use navigation::Navigation;
-pub use overlay::CubeLabels;
+pub use overlay::{AXIS_COLORS, CubeLabels};
 pub use renderer::Renderer;
 pub use scene::{Depth, LineItem, LineSegment, MeshCut, MeshItem, PointItem, Scene};
 pub use standard_view::StandardView;

@@ -15,7 +15,7 @@ const TRIAD_REACH: f32 = 34.0;
 const LABEL_FACING: f64 = 0.38;
 
 /// x red, y green, z blue: bright enough for a dark background, dark enough for a light one.
-const AXIS_COLORS: [Color32; 3] =
+pub const AXIS_COLORS: [Color32; 3] =
     [Color32::from_rgb(226, 74, 66), Color32::from_rgb(78, 178, 72), Color32::from_rgb(70, 128, 240)];
 
 /// Words of the cube, given by its owner.

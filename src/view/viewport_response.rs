@@ -1,10 +1,11 @@
 //! What the view reports to its owner in each frame, in physical pixels.
 
+use super::camera::Camera;
 use super::error::ViewError;
 use super::lens::ViewSize;
 use super::standard_view::StandardView;
-use eframe::egui::{self, Pos2, Rect, Response, emath::GuiRounding as _};
-use nalgebra::Point2;
+use eframe::egui::{self, Pos2, Rect, Response, emath::GuiRounding as _, vec2};
+use nalgebra::{Point2, Point3};
 
 /// What happened in this frame. Pixels are physical, from the view's top-left corner.
 #[derive(Debug, Clone)]
@@ -35,6 +36,15 @@ pub struct ViewportResponse {
     pub failure: Option<ViewError>,
     /// For a context menu, a tooltip, or the place of labels (in points).
     pub response: Response,
+}
+
+impl ViewportResponse {
+    /// Where a point of the scene is seen, in points of the window; `None` behind the eye.
+    pub fn on_screen(&self, camera: &Camera, at: &Point3<f64>) -> Option<Pos2> {
+        let (x, y, _) = camera.project(at, self.size)?;
+        let per_point = f64::from(self.response.ctx.pixels_per_point());
+        Some(self.response.rect.min + vec2((x / per_point) as f32, (y / per_point) as f32))
+    }
 }
 
 /// The widget's rectangle on whole pixels.

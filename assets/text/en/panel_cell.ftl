@@ -51,7 +51,6 @@ frames_set_for_job = Set for this job, in place of the cell file's
 frames_back =
     Back to the cell file's:
     { $pose }
-frames_move = Move in the view
 frames_move_tip = Arrows and rings in the cell move and turn it, in steps of 0.5 mm and 1°
 frames_move_not = Show the robot cell first
 frames_three_points = measured by three points

@@ -51,7 +51,6 @@ frames_set_for_job = 仅为本作业设定，取代工作站文件中的值
 frames_back =
     恢复为工作站文件中的值：
     { $pose }
-frames_move = 在视图中移动
 frames_move_tip = 用工作站视图中的箭头和圆环移动和转动，步距 0.5 mm 和 1°
 frames_move_not = 请先显示机器人工作站
 frames_three_points = 三点法测得

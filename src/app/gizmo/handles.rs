@@ -1,6 +1,6 @@
 //! The handles on the screen: where arrows and rings are seen, which one the pointer is on, and their look.
 
-use crate::view::{Camera, ViewSize};
+use crate::view::{AXIS_COLORS, Camera, ViewSize};
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::f64::consts::TAU;
@@ -12,10 +12,6 @@ const RING: f64 = 56.0;
 const CATCH: f32 = 7.0;
 /// Pieces that a ring is drawn of.
 const PIECES: usize = 48;
-/// Colours of x, y and z, as of the triad; each handle has its letter beside it.
-const COLORS: [Color32; 3] =
-    [Color32::from_rgb(226, 84, 76), Color32::from_rgb(88, 190, 92), Color32::from_rgb(86, 140, 244)];
-
 /// A handle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in super::super) struct Handle {
@@ -93,7 +89,7 @@ fn distance(pos: Pos2, [a, b]: [Pos2; 2]) -> f32 {
 pub(super) fn draw(painter: &Painter, placed: &[Placed], lit: Option<Handle>) {
     for Placed { handle, line } in placed {
         let is_lit = lit == Some(*handle);
-        let color = if is_lit { Color32::WHITE } else { COLORS[handle.axis] };
+        let color = if is_lit { Color32::WHITE } else { AXIS_COLORS[handle.axis] };
         let width = if is_lit { 4.0 } else { 2.5 };
         painter.add(Shape::line(line.clone(), Stroke::new(width + 2.0, Color32::from_black_alpha(120))));
         painter.add(Shape::line(line.clone(), Stroke::new(width, color)));

@@ -3,8 +3,9 @@
 
 use super::super::actions::Actions;
 use super::super::context::Context;
-use super::super::gizmo::state::{Gizmo, Moved};
+use super::super::gizmo::state::Moved;
 use super::entry::{Entry, refused};
+use super::handles_button;
 use crate::cell::calibration::CalibrationNote;
 use crate::cell::frame::{FARTHEST_ORIGIN_MM, MOST_TURNS_DEG};
 use crate::cell::{Frame, Mount};
@@ -144,12 +145,8 @@ fn by_hand(ui: &mut egui::Ui, key: &str, context: Context<'_>, actions: &mut Act
         "base_from_part" => Moved::Part,
         _ => return,
     };
-    let is_on = context.session.gizmo.as_ref().is_some_and(|gizmo| gizmo.of == moved);
-    let button = egui::Button::selectable(is_on, say!(frames_move));
-    let response = ui.add_enabled(context.is_in_cell(), button).on_hover_text(say!(frames_move_tip));
-    if response.on_disabled_hover_text(say!(frames_move_not)).clicked() {
-        actions.session(move |s| s.gizmo = (!is_on).then(|| Gizmo::on(moved)));
-    }
+    let why_not = (!context.is_in_cell()).then(|| say!(frames_move_not));
+    handles_button::ui(ui, moved, [say!(handles_move), say!(frames_move_tip)], why_not, context, actions);
 }
 
 /// The frame's name, and the way back if it is the job's own; whether that was taken.

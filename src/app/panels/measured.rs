@@ -10,16 +10,11 @@ pub(in super::super) fn ui(ui: &egui::Ui, view: &ViewportResponse, camera: &Came
     if lines.is_empty() {
         return;
     }
-    let (rect, per_point) = (view.response.rect, f64::from(ui.pixels_per_point()));
+    let rect = view.response.rect;
     let painter = ui.painter_at(rect);
     let place = context.scene_from_part();
-    let spots: Vec<Pos2> = context
-        .session
-        .measured
-        .iter()
-        .filter_map(|(_, at)| camera.project(&(place * at), view.size))
-        .map(|(x, y, _)| rect.min + vec2((x / per_point) as f32, (y / per_point) as f32))
-        .collect();
+    let spots: Vec<Pos2> =
+        context.session.measured.iter().filter_map(|(_, at)| view.on_screen(camera, &(place * at))).collect();
     if let [a, b] = spots[..] {
         painter.line_segment([a, b], Stroke::new(3.0, Color32::from_black_alpha(160)));
         painter.line_segment([a, b], Stroke::new(1.5, Color32::WHITE));

@@ -16,6 +16,7 @@ mod fields;
 pub(super) mod file_banner;
 mod frames;
 mod going_on;
+mod handles_button;
 mod later;
 mod laying;
 pub(super) mod library;

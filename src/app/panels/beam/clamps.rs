@@ -3,10 +3,11 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::dialogs::Purpose;
-use super::super::super::gizmo::state::{Gizmo, Moved};
+use super::super::super::gizmo::state::Moved;
 use super::super::super::session::PointerTool;
 use super::super::super::theme;
 use super::super::entry::{Entry, refused};
+use super::super::handles_button;
 use crate::beam::Obstacle;
 use crate::cell::frame::MOST_TURNS_DEG;
 use crate::document::Edit;
@@ -17,7 +18,7 @@ use eframe::egui;
 
 pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
     let mut clamps = context.document.job().clamps.clone();
-    let (mut gone, mut dragged) = (None, false);
+    let (mut gone, mut chosen, mut dragged) = (None, false, false);
     for (i, c) in clamps.iter_mut().enumerate() {
         ui.horizontal(|ui| {
             ui.add(egui::Label::new(say!(tool_clamp, number = id(i + 1), file = &c.file)).truncate());
@@ -27,10 +28,12 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
         });
         by_hand(ui, i, context, actions);
         dragged |= placed(ui, c, i);
-        units(ui, c, i, context, actions);
+        chosen |= units(ui, c, i);
     }
     if let Some(i) = gone {
         clamps.remove(i);
+        actions.edit(Edit::Clamps(clamps));
+    } else if chosen {
         actions.edit(Edit::Clamps(clamps));
     } else if dragged {
         actions.drag(Edit::Clamps(clamps), "clamps");
@@ -42,48 +45,41 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
 
 /// Handles in the view, and a click on the part.
 fn by_hand(ui: &mut egui::Ui, i: usize, context: Context<'_>, actions: &mut Actions) {
-    let is_moved = context.session.gizmo.as_ref().is_some_and(|gizmo| gizmo.of == Moved::Clamp(i));
     let is_put = context.session.tool == PointerTool::PutClamp(i);
     ui.horizontal(|ui| {
-        let button = ui.selectable_label(is_moved, say!(tool_clamp_move)).on_hover_text(say!(tool_clamp_move_tip));
-        button.widget_info(|| {
-            egui::WidgetInfo::selected(
-                egui::Role::Button,
-                true,
-                is_moved,
-                say!(tool_clamp_move_name, number = id(i + 1)),
-            )
-        });
-        if button.clicked() {
-            actions.session(move |s| s.gizmo = (!is_moved).then(|| Gizmo::on(Moved::Clamp(i))));
-        }
+        let words = [say!(tool_clamp_move_name, number = id(i + 1)), say!(tool_clamp_move_tip)];
+        handles_button::ui(ui, Moved::Clamp(i), words, None, context, actions);
         let button = ui.selectable_label(is_put, say!(tool_clamp_put)).on_hover_text(say!(tool_clamp_put_tip));
         button.widget_info(|| {
             egui::WidgetInfo::selected(egui::Role::Button, true, is_put, say!(tool_clamp_put_name, number = id(i + 1)))
         });
         if button.clicked() {
-            let tool = if is_put { PointerTool::Select } else { PointerTool::PutClamp(i) };
-            actions.session(move |s| s.tool = tool);
+            actions.session(move |s| {
+                s.empty_hand();
+                if !is_put {
+                    s.tool = PointerTool::PutClamp(i);
+                }
+            });
         }
     });
 }
 
-/// The unit of a clamp's file.
-fn units(ui: &mut egui::Ui, clamp: &Obstacle, i: usize, context: Context<'_>, actions: &mut Actions) {
+/// The unit of a clamp's file; returns whether that was changed.
+fn units(ui: &mut egui::Ui, clamp: &mut Obstacle, i: usize) -> bool {
+    let before = clamp.units;
     ui.horizontal(|ui| {
         theme::name(ui, &say!(tool_clamp_units), 50.0);
         for u in Units::ALL {
-            let is_on = clamp.units == u;
+            let is_on = before == u;
             let button = ui.selectable_label(is_on, choices::units(u));
             let told = || say!(tool_clamp_units_name, number = id(i + 1), unit = choices::units(u));
             button.widget_info(|| egui::WidgetInfo::selected(egui::Role::RadioButton, true, is_on, told()));
-            if button.clicked() && !is_on {
-                let mut clamps = context.document.job().clamps.clone();
-                clamps[i].units = u;
-                actions.edit(Edit::Clamps(clamps));
+            if button.clicked() {
+                clamp.units = u;
             }
         }
     });
+    clamp.units != before
 }
 
 /// Where a clamp stands; returns whether that was changed.

@@ -21,7 +21,7 @@ pub(super) fn clicked(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Act
         return;
     };
     let whole: f64 = c.hits.iter().map(|h| h.j_cm2).sum();
-    let surface = context.derived.surfaces.of_facet.get(c.facet as usize).copied().unwrap_or(0);
+    let surface = context.surface_of(c.facet).unwrap_or(0);
     let (surface, place) = (id(surface), choices::place(c.p.coords.into()));
     ui.label(say!(dose_panel_place, surface, place, dose = j_cm2(whole)));
     if c.hits.is_empty() {

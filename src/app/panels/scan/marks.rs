@@ -13,10 +13,8 @@ const ASIDE: egui::Vec2 = vec2(16.0, -14.0);
 
 pub(in super::super::super) fn ui(ui: &egui::Ui, view: &ViewportResponse, camera: &Camera, context: Context<'_>) {
     let painter = ui.painter_at(view.response.rect);
-    let per_point = f64::from(ui.pixels_per_point());
     for (at, text) in marks(context) {
-        let Some((x, y, _)) = camera.project(&at, view.size) else { continue };
-        let point = view.response.rect.min + vec2((x / per_point) as f32, (y / per_point) as f32);
+        let Some(point) = view.on_screen(camera, &at) else { continue };
         let galley = painter.layout_no_wrap(text, FontId::proportional(13.0), Color32::WHITE);
         let rect = Align2::LEFT_BOTTOM.anchor_size(point + ASIDE, galley.size()).expand2(vec2(4.0, 2.0));
         painter.line_segment([point, rect.left_bottom()], Stroke::new(1.2, Color32::WHITE));

@@ -3,7 +3,6 @@
 use super::super::super::actions::Actions;
 use super::super::super::context::Context;
 use super::super::super::scan_tool::ScanTool;
-use super::super::super::session::PointerTool;
 use super::super::entry::{Drawn, Entry};
 use crate::text::say;
 use eframe::egui::{self, Role, WidgetInfo};
@@ -23,7 +22,10 @@ pub(super) fn tool_button(
     button.widget_info(|| WidgetInfo::selected(Role::Button, true, is_in_hand, told.clone()));
     if button.clicked() {
         let taken = (!is_in_hand).then(tool);
-        actions.session(move |s| (s.scan_tool, s.tool) = (taken, PointerTool::Select));
+        actions.session(move |s| {
+            s.empty_hand();
+            s.scan_tool = taken;
+        });
     }
 }
 
