@@ -18,4 +18,16 @@ impl Pose {
     pub fn midway(&self, to: &Pose, t: f64) -> Pose {
         Pose { p: self.p + (to.p - self.p) * t, a: angle::slerp(&self.a, &to.a, t) }
     }
+
+    /// Sine of half the angle between the axes: half the chord of two unit vectors.
+    #[inline]
+    pub fn sine_of_half_turn(&self, to: &Pose) -> f64 {
+        0.5 * (to.a - self.a).norm()
+    }
+
+    /// Cosine of half the angle between the axes.
+    #[inline]
+    pub fn cosine_of_half_turn(&self, to: &Pose) -> f64 {
+        0.5 * (to.a + self.a).norm()
+    }
 }

@@ -7,7 +7,6 @@
 
 use super::Pose;
 use super::interference::{BeamInterference, Blocker, Conflict};
-use crate::part::angle;
 use crate::progress::Cancelled;
 
 /// Length of a piece, mm, from which on its middle decides: no point of the beam moves further on it, so the
@@ -98,9 +97,8 @@ pub fn swept(
     if reach_mm.is_none() && body == Conflict::None {
         return Ok(None);
     }
-    let half_turn = 0.5 * angle::between_deg(&from.0.a, &to.0.a).to_radians();
-    let is_short =
-        reach_mm.is_none_or(|reach_mm| (to.0.p - from.0.p).norm() + 2.0 * reach_mm * libm::sin(half_turn) <= PIECE_MM);
+    let half_turn = from.0.sine_of_half_turn(to.0);
+    let is_short = reach_mm.is_none_or(|reach_mm| (to.0.p - from.0.p).norm() + 2.0 * reach_mm * half_turn <= PIECE_MM);
     let t = 0.5 * (from.1 + to.1);
     // A piece with a jump in it never gets short.
     if is_short && body != Conflict::Wide || share < LEAST_SHARE {

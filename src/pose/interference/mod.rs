@@ -8,6 +8,7 @@ mod blocker;
 mod ray;
 mod separated;
 mod skin;
+mod swept_beam;
 mod tool_body;
 
 pub use beam_interference::BeamInterference;

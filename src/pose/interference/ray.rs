@@ -4,7 +4,8 @@
 use super::beam_interference::{BeamInterference, RISE_MM, into_frame, motion_into_frame};
 use super::blocker::{Blocker, Obstruction, ToolBody};
 use super::separated::is_separated;
-use crate::part::{Bvh, angle, distance};
+use super::swept_beam::SweptBeam;
+use crate::part::{Bvh, distance};
 use crate::pose::Pose;
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -142,7 +143,7 @@ impl BeamInterference<'_> {
 fn conflict_with(bvh: &Bvh, motion: &[Pose; 3], sag_mm: f64, stray_mm: impl Fn(f64) -> f64) -> Option<f64> {
     let [from, middle, to] = motion;
     let half_mm = 0.5 * (to.p - from.p).norm();
-    let half_turn = libm::sin(0.5 * angle::between_deg(&from.a, &to.a).to_radians());
+    let half_turn = from.sine_of_half_turn(to);
     let radius = |t: f64| half_mm + t.max(0.0) * half_turn + GRAZE_MM + stray_mm(t.max(0.0));
     let (centre, round_mm) = bvh.sphere_of_box()?;
     // Nothing of the body lies further along the beam, and where even the widest beam passes beside it, nothing is met.
@@ -151,18 +152,16 @@ fn conflict_with(bvh: &Bvh, motion: &[Pose; 3], sag_mm: f64, stray_mm: impl Fn(f
         return None;
     }
     let mut farthest: Option<f64> = None;
+    let (rise_mm, begins_mm) = (RISE_MM + 2.0 * sag_mm, 2.0 * sag_mm + SPOT_MM);
     // A turning beam sweeps wide only far out: each stretch is looked at as wide as it gets, so
     // that the surface around the spot is not visited for the sake of the far end.
     // To where the turn has made it twice as wide it is one stretch; without a turn, all of it.
     let twice_mm = (half_mm + GRAZE_MM) / half_turn;
     let (mut near, mut far) = (0.0, (FIRST_STRETCH_MM + 2.0 * half_mm).max(twice_mm).min(size_mm));
     while near < size_mm {
-        let start = middle.p + middle.a * near;
-        let ray = distance::WideRay::new(&start, &middle.a, radius(far));
-        bvh.visit_ray(&start, &middle.a, 0.0, far - near, radius(far), |_, corners| {
-            if ray.surely_misses(corners) {
-                return f64::INFINITY;
-            }
+        let keeps_mm = GRAZE_MM + stray_mm(far + begins_mm);
+        let swept = SweptBeam::new(motion, [near - begins_mm, far + begins_mm], (keeps_mm, rise_mm));
+        let mut visit = |corners: &[Point3<f64>; 3]| {
             let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
             let length = n.norm();
             let side = n.dot(&middle.a).signum();
@@ -170,18 +169,26 @@ fn conflict_with(bvh: &Bvh, motion: &[Pose; 3], sag_mm: f64, stray_mm: impl Fn(f
                 side * n.dot(&q.a) > LEAVES_SINE * length && side * n.dot(&(q.p - corners[0])) >= -1e-7 * length
             };
             if leaves(from) && leaves(to) {
-                return f64::INFINITY;
+                return;
             }
             let rise = |q: &Pose| corners.iter().map(|c| (c - q.p).dot(&q.a)).fold(f64::NEG_INFINITY, f64::max);
             let top = rise(from).max(rise(to));
             let touchable = || distance::ray_triangle(&middle.p, &middle.a, 0.0, corners) <= radius(top);
-            let is_clear = || is_separated(motion, corners, (GRAZE_MM, 2.0 * sag_mm + SPOT_MM), &stray_mm);
-            if top > RISE_MM + 2.0 * sag_mm && touchable() && !is_clear() {
+            let is_clear = || is_separated(motion, corners, (GRAZE_MM, begins_mm), &stray_mm);
+            if top > rise_mm && touchable() && !is_clear() {
                 farthest = Some(farthest.map_or(top, |f| f.max(top)));
             }
-            f64::INFINITY
-        });
-        (near, far) = (far, 6.0 * far);
+        };
+        bvh.visit_near_boxes(
+            |lo, hi| swept.meets_box(lo, hi),
+            |_, corners| {
+                if swept.meets(corners) {
+                    visit(corners);
+                }
+                true
+            },
+        );
+        (near, far) = (far, (6.0 * far).min(size_mm));
     }
     farthest
 }

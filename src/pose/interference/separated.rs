@@ -11,7 +11,7 @@ use crate::pose::Pose;
 use nalgebra::{Point3, Vector3};
 
 /// More than the rounding of the heights, as a share of the lengths that they are made of.
-const ROUNDING: f64 = 1e-12;
+pub(super) const ROUNDING: f64 = 1e-12;
 
 /// Whether no point of the beam comes as near to a facet as `grazes_mm`. `sag_mm`: the beam may begin so much before the
 /// poses' points, or behind; `stray_mm`: how far a point of it at this distance may stray from such a motion.
@@ -24,11 +24,11 @@ pub(super) fn is_separated(
     let away = |q: &Pose| corners.iter().map(|c| (c - q.p).norm()).fold(0.0, f64::max);
     // Beyond that the beam is farther from the facet than it grazes, wherever it points.
     let far_mm = away(from).max(away(to)) + 2.0 * grazes_mm;
-    let half_turn = 0.5 * angle::between_deg(&from.a, &to.a).to_radians();
-    if half_turn > MOST_HALF_TURN {
+    let cosine = from.cosine_of_half_turn(to);
+    if cosine < LEAST_COSINE {
         return false;
     }
-    let bulge = 1.0 / libm::cos(half_turn) - 1.0;
+    let bulge = 1.0 / cosine - 1.0;
     let keeps_mm = grazes_mm + stray_mm(far_mm) + ROUNDING * (far_mm + from.p.coords.amax() + to.p.coords.amax());
     let is_between = |u: Vector3<f64>| {
         let top = corners.iter().map(|c| u.dot(&c.coords)).fold(f64::NEG_INFINITY, f64::max);
@@ -55,8 +55,8 @@ pub(super) fn is_separated(
     inside.chain(edges).chain(ends).filter_map(|(u, on)| towards(u, on)).any(is_between)
 }
 
-/// Motions that turn farther are bisected first, radians.
-const MOST_HALF_TURN: f64 = 0.5;
+/// Motions that turn farther are bisected first: the cosine of half a turn, of 57°.
+const LEAST_COSINE: f64 = 0.88;
 
 #[cfg(test)]
 mod tests {
