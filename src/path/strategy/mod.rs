@@ -9,6 +9,7 @@ mod finding;
 mod geodesic_distance;
 pub mod offset;
 mod radial;
+mod ranked_segments;
 mod refine;
 pub mod spacing;
 mod spiral;

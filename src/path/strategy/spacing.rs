@@ -8,7 +8,7 @@
 use super::super::live_facets::PARALLEL_DEG;
 use super::super::normals::between;
 use super::super::section::{SectionPoint, TransversalLine};
-use crate::part::distance::point_segment;
+use super::ranked_segments::{Asked, RankedSegments};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -44,8 +44,8 @@ impl Achieved {
 
 /// Points measured at most.
 const SAMPLES: usize = 40_000;
-/// Segments that share a box.
-const BLOCK: usize = 16;
+/// Points that are measured one after another.
+const ALONG: usize = 256;
 /// Neighbours are looked for so many spacings away.
 const REACH: f64 = 6.0;
 
@@ -68,9 +68,7 @@ pub(super) fn measured(
 ) -> Option<Achieved> {
     let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
     let missed = |n: &Vector3<f64>| planes_normal.is_some_and(|m| n.cross(m).norm() < parallel_sine);
-    let (segments, blocks) = blocks(lines, ranks);
-    // Blocks by their rank: the widest tells how far back one that reaches here may stand.
-    let widest = blocks.iter().map(|b| b.ranks.1 - b.ranks.0).fold(0.0, f64::max);
+    let segments = RankedSegments::new(lines, ranks);
     let sides = || lines.iter().zip(ranks).flat_map(|(line, ranks)| sides(line, ranks));
     let lengths_mm: Vec<f64> = sides().map(|s| s.length_mm()).collect();
     let gap_mm = spacing_mm.max(lengths_mm.iter().sum::<f64>() / SAMPLES as f64);
@@ -85,25 +83,19 @@ pub(super) fn measured(
         .filter(|x| counts(&x.0))
         .collect();
     let samples = chosen
-        .par_iter()
-        .filter_map(|(p, n, rank)| {
-            let (low, high) = (rank - 1.5, rank - 0.5);
-            let start = blocks.partition_point(|b| b.ranks.0 < low - widest);
-            let to = blocks.partition_point(|b| b.ranks.0 <= high);
-            let mut best: (f64, bool) = (REACH * spacing_mm, false);
-            for block in blocks[start..to].iter().filter(|b| b.ranks.1 >= low) {
-                if block.distance_mm(p) >= best.0 {
-                    continue;
-                }
-                for s in &segments[block.first..block.end] {
-                    let distance = point_segment(p, &s.a, &s.b);
-                    // The other side of a thin wall is no neighbour.
-                    if distance < best.0 && s.n.dot(n) > 0.0 && s.rank >= low && s.rank <= high {
-                        best = (distance, s.beside(p, distance) && !missed(&s.n) && !missed(n));
-                    }
-                }
-            }
-            best.1.then_some((*p, best.0))
+        .par_chunks(ALONG)
+        .flat_map_iter(|chunk| {
+            // Along a line the neighbour runs along.
+            let mut last = None;
+            let segments = &segments;
+            chunk.iter().filter_map(move |(p, n, rank)| {
+                let asked = Asked { p, n, ranks: (rank - 1.5, rank - 0.5) };
+                let found = segments.nearest(&asked, REACH * spacing_mm, last)?;
+                last = Some(found);
+                let s = segments.at(&found);
+                let counts = s.beside(p, found.distance_mm) && !missed(&s.n) && !missed(n);
+                counts.then_some((*p, found.distance_mm))
+            })
         })
         .collect();
     Achieved::of(samples)
@@ -139,69 +131,4 @@ impl LineSide<'_> {
         }
         (from.p + (to.p - from.p) * t, between(&from.n, &to.n, t), rank + (other - rank) * t)
     }
-}
-
-struct RankedSegment {
-    a: Point3<f64>,
-    b: Point3<f64>,
-    n: Vector3<f64>,
-    rank: f64,
-    /// Whether the line ends at `a`, at `b`.
-    ends: [bool; 2],
-}
-
-impl RankedSegment {
-    /// Whether a point lies beside the segment and not beyond an end of its line.
-    fn beside(&self, p: &Point3<f64>, distance_mm: f64) -> bool {
-        let along = (self.b - self.a).normalize();
-        let past = [(self.a - p).dot(&along), (p - self.b).dot(&along)];
-        // Some 3° beyond the end is still beside it: a rim is seldom quite square to the lines.
-        (0..2).all(|k| !self.ends[k] || past[k] <= 0.05 * distance_mm)
-    }
-}
-
-struct SegmentBlock {
-    low: Point3<f64>,
-    high: Point3<f64>,
-    ranks: (f64, f64),
-    first: usize,
-    end: usize,
-}
-
-impl SegmentBlock {
-    fn distance_mm(&self, p: &Point3<f64>) -> f64 {
-        (self.low - p).sup(&(p - self.high)).sup(&Vector3::zeros()).norm()
-    }
-}
-
-fn blocks(lines: &[TransversalLine], ranks: &[Vec<f64>]) -> (Vec<RankedSegment>, Vec<SegmentBlock>) {
-    let mut segments: Vec<RankedSegment> = Vec::new();
-    let mut blocks: Vec<SegmentBlock> = Vec::new();
-    for (line, ranks) in lines.iter().zip(ranks) {
-        let first = segments.len();
-        let count = line.points.len();
-        let pieces = if line.closed { count } else { count.saturating_sub(1) };
-        for i in 0..pieces {
-            let (Some(a), Some(b), Some(rank)) = (line.points.get(i), line.points.get((i + 1) % count), ranks.get(i))
-            else {
-                continue;
-            };
-            if a.p != b.p {
-                let ends = [!line.closed && i == 0, !line.closed && i + 1 == pieces];
-                segments.push(RankedSegment { a: a.p, b: b.p, n: a.n, rank: *rank, ends });
-            }
-        }
-        let mut at = first;
-        while at < segments.len() {
-            let end = (at + BLOCK).min(segments.len());
-            let of = &segments[at..end];
-            let (low, high) = crate::part::topology::bounds_of(of.iter().flat_map(|s| [s.a, s.b]));
-            let fold = |init: f64, pick: fn(f64, f64) -> f64| of.iter().map(|s| s.rank).fold(init, pick);
-            let ranks = (fold(f64::INFINITY, f64::min), fold(f64::NEG_INFINITY, f64::max));
-            blocks.push(SegmentBlock { low, high, ranks, first: at, end });
-            at = end;
-        }
-    }
-    blocks.sort_by(|a, b| a.ranks.0.total_cmp(&b.ranks.0));
-    (segments, blocks)
 }
