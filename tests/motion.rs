@@ -6,7 +6,7 @@ mod all_pairs;
 #[path = "common/parts.rs"]
 mod parts;
 
-use clearbeam::cell::motion::{Arm, RefusalCause, RefusalReason, SearchHooks, choose};
+use clearbeam::cell::motion::{Arm, RefusalCause, RefusalReason, SearchHooks, TargetStateCache, choose, choose_again};
 use clearbeam::cell::{BodyId, Contact, Link, Mount, Robot, Setup, Spin};
 use clearbeam::part::angle;
 use clearbeam::planning::{PlanCache, advice};
@@ -197,6 +197,31 @@ fn what_touches_is_avoided_or_named() {
     let why = RefusalReason::Contact(contact.clone());
     assert!(named.refusals.iter().all(|r| r.cause == RefusalCause::Head && r.why == why));
     assert_eq!(named.rows.iter().flatten().flatten().count(), 0);
+}
+
+/// Branches are closed and targets blocked one after another: a search that goes on from the one before finds what one that
+/// begins anew finds.
+#[test]
+fn a_search_goes_on_from_the_one_before() {
+    let setup = setup("mz04", Mount::PartInHand);
+    let p = planned(part(&sample("workpiece")), on(job("z", 1.5), &[1, 2, 3]));
+    let arm = Arm::new(&setup, Spin::Free).expect("a robot");
+    let mut passes = p.plan.passes.clone();
+    let targets: usize = passes.iter().map(|p| p.targets.len()).sum();
+    assert!(targets > 300, "{targets}: many chunks");
+    let (mut known, mut closed) = (TargetStateCache::default(), std::collections::BTreeSet::new());
+    let mut last = choose_again(&arm, &passes, &SearchHooks::default(), &mut known).expect("goes on");
+    let count = passes.len();
+    for (turn, pass) in [count / 2, 1, count - 1, count / 3, count / 2].into_iter().enumerate() {
+        if turn == 3 {
+            passes[pass].targets[1].state = TargetState::Blocked;
+        }
+        closed.extend(last.rows[pass].iter().flatten().map(|c| (pass, c.branch)));
+        let is_open = |pass: usize, branch: u8| !closed.contains(&(pass, branch));
+        let hooks = SearchHooks { is_open: &is_open, ..SearchHooks::default() };
+        last = choose_again(&arm, &passes, &hooks, &mut known).expect("goes on");
+        assert_eq!(last, choose(&arm, &passes, &hooks).expect("goes on"), "{turn}");
+    }
 }
 
 /// What is offered as a better set-up has been planned, and is what a plan with it gives.

@@ -12,8 +12,8 @@ use crate::cell::Contact;
 use nalgebra::Isometry3;
 use rayon::prelude::*;
 
-/// Targets whose states are made at once.
-const CHUNK: usize = 256;
+/// Targets whose states are made at once, and taken over from another search at once.
+const CHUNK: usize = 64;
 
 /// A target of the chain: where the focus has to be, and how fast it is come to.
 pub(super) struct ChainTarget {
@@ -28,6 +28,7 @@ pub(super) struct ChainTarget {
 pub(super) type SolvedTarget = Result<Vec<ArmState>, NoPoseReason>;
 
 /// Why a target has no state.
+#[derive(Clone)]
 pub(super) enum NoPoseReason {
     /// The arm cannot stand there.
     NoState(NoState),
@@ -37,20 +38,63 @@ pub(super) enum NoPoseReason {
     NoWay,
 }
 
-/// A chain over all stops: the state of each, or why there is none (`None`: it has states, but the
+/// What the states of a target depend on, among searches over the same passes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TargetKey {
+    pub pass: usize,
+    pub point: usize,
+    pub lit_s: Option<f64>,
+    /// The branches that are open, a bit each.
+    pub open: u8,
+    /// Whether its states are looked at for contacts.
+    pub is_checked: bool,
+}
+
+/// A chain that was searched. Where the next one has the same targets and comes to them at costs that differ by the same
+/// amount in every state, as it soon does behind a difference, it goes on as this one did.
+#[derive(Default)]
+pub(super) struct ChainMemory {
+    keys: Vec<TargetKey>,
+    trace: Vec<Trace>,
+    /// The states before each chunk, and behind the last.
+    states: Vec<TargetStates>,
+}
+
+impl ChainMemory {
+    /// By how much more a chunk of targets is come to than here, if it is the same chunk and goes on as it did.
+    fn goes_on(&self, chunk: usize, keys: &[TargetKey], before: &TargetStates) -> Option<f64> {
+        let (first, end) = (chunk * CHUNK, ((chunk + 1) * CHUNK).min(keys.len()));
+        // The states before are those of the target before.
+        let alike = first.saturating_sub(1)..end;
+        let is_known = chunk + 1 < self.states.len() && self.keys.get(alike.clone()) == keys.get(alike);
+        let was_end = ((chunk + 1) * CHUNK).min(self.keys.len());
+        self.states.get(chunk).filter(|_| is_known && was_end == end)?.costs_less_by(before)
+    }
+}
+
+/// A chain over all targets, each with its key: the state of each, or why there is none (`None`: it has states, but the
 /// cheapest chain leaves it out).
 pub(super) fn chain(
     arm: &Arm<'_>,
-    targets: &[ChainTarget],
+    (targets, keys): (&[ChainTarget], &[TargetKey]),
     go_on: &(dyn Fn() -> bool + Sync),
     solve: impl Fn(&ChainTarget) -> SolvedTarget + Sync,
+    memory: &mut ChainMemory,
 ) -> Option<Vec<Result<ArmState, Option<NoPoseReason>>>> {
     let rules = Rules::new(arm);
-    let mut trace: Vec<Trace> = Vec::with_capacity(targets.len());
+    let mut old = std::mem::take(memory);
     let mut before = TargetStates::start();
-    for chunk in targets.chunks(CHUNK) {
+    for (number, chunk) in targets.chunks(CHUNK).enumerate() {
         if !go_on() {
             return None;
+        }
+        let more = old.goes_on(number, keys, &before);
+        memory.states.push(before.clone());
+        if let Some(more) = more {
+            let first = number * CHUNK;
+            memory.trace.extend(old.trace[first..first + chunk.len()].iter_mut().map(std::mem::take));
+            before = old.states[number + 1].dearer_by(more);
+            continue;
         }
         let made: Vec<(TargetStates, Option<NoPoseReason>)> = chunk
             .par_iter()
@@ -67,24 +111,29 @@ pub(super) fn chain(
             let (left_out_from, cheapest) = before.cheapest();
             current.left_out = cheapest + LEFT_OUT;
             let keys = current.states.iter().map(|s| [s.spin, s.branch, s.turn]).collect();
-            trace.push(Trace { from, left_out_from, keys, reason });
+            memory.trace.push(Trace { from, left_out_from, keys, reason });
             before = current;
         }
     }
+    memory.keys = keys.to_vec();
+    memory.states.push(before.clone());
     let mut at = before.cheapest().0;
     let mut picked = vec![OUT; targets.len()];
-    for (pick, t) in picked.iter_mut().zip(&trace).rev() {
+    for (pick, t) in picked.iter_mut().zip(&memory.trace).rev() {
         *pick = at;
         at = if at == OUT { t.left_out_from } else { t.from[at as usize] };
     }
-    let state = |(target, t, pick): (&ChainTarget, Trace, u32)| {
+    let state = |(target, t, pick): (&ChainTarget, &Trace, u32)| {
         let key = t.keys.get(pick as usize);
-        key.and_then(|[spin, branch, turn]| arm.state(&target.part_from_focus, *spin, *branch, *turn)).ok_or(t.reason)
+        key.and_then(|[spin, branch, turn]| arm.state(&target.part_from_focus, *spin, *branch, *turn))
+            .ok_or(t.reason.clone())
     };
-    Some(targets.iter().zip(trace).zip(picked).map(|((target, t), pick)| state((target, t, pick))).collect())
+    let found = targets.iter().zip(&memory.trace).zip(picked);
+    Some(found.map(|((target, t), pick)| state((target, t, pick))).collect())
 }
 
 /// What is kept of a target for tracing the chain back: predecessors, and what each state can be made again from.
+#[derive(Default)]
 struct Trace {
     from: Vec<u32>,
     left_out_from: u32,

@@ -1,7 +1,7 @@
 //! Spin and branch of every target, chosen together: the cheapest chain of states ([`super::chain`]) that touches
 //! nothing, and what is left out of it.
 
-use super::chain::{ChainTarget, NoPoseReason, chain};
+use super::chain::{ChainTarget, NoPoseReason, TargetKey, chain};
 use super::reason;
 use super::refusal::{Refusal, RefusalCause, RefusalReason};
 use super::states::{Arm, ArmState};
@@ -70,8 +70,17 @@ pub fn choose_again(
     let SearchHooks { touches, go_on, is_open } = watch;
     let targets = chain_targets(passes);
     loop {
+        let mut memory = std::mem::take(&mut cache.chain);
         let known = &*cache;
-        let chain = chain(arm, &targets, go_on, |target: &ChainTarget| {
+        let key = |t: &ChainTarget| TargetKey {
+            pass: t.pass,
+            point: t.point,
+            lit_s: t.lit_s,
+            open: (0..8).map(|branch| u8::from(is_open(t.pass, branch)) << branch).sum(),
+            is_checked: known.checks((t.pass, t.point)).is_some(),
+        };
+        let keys: Vec<TargetKey> = targets.iter().map(key).collect();
+        let solve = |target: &ChainTarget| {
             let solve = || arm.solutions(&target.part_from_focus);
             let states = known.read((target.pass, target.point), solve, |solved| arm.readings(solved));
             let mut states = states.map_err(NoPoseReason::NoState)?;
@@ -86,7 +95,8 @@ pub fn choose_again(
                 true => Err(touches(&first).map_or(NoPoseReason::NoWay, NoPoseReason::Contact)),
                 false => Ok(states),
             }
-        })?;
+        };
+        let chain = chain(arm, (&targets, &keys), go_on, solve, &mut memory)?;
         let touching: Vec<usize> = targets
             .par_iter()
             .zip(&chain)
@@ -100,6 +110,7 @@ pub fn choose_again(
         if !go_on() {
             return None;
         }
+        cache.chain = memory;
         if touching.is_empty() {
             let choice = choice(arm, passes, &targets, chain);
             cache.keep(passes);

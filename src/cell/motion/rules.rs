@@ -23,6 +23,10 @@ pub const NEAR_SINGULAR: f64 = 0.25;
 pub const AT_LIMIT: f64 = 6.0;
 /// What a target at a singularity costs.
 pub const AT_SINGULARITY: f64 = 12.0;
+/// Costs that differ by less are alike: a millionth of a degree.
+const ALIKE: f64 = 1e-6;
+/// More than what adding up a chain rounds, as a share of its cost.
+const ROUNDING: f64 = 1e-12;
 /// So many states of a target are worked out by one thread.
 pub(super) const SIDE_BY_SIDE: usize = 256;
 
@@ -41,6 +45,7 @@ pub(super) fn most_deg(speeds_deg_s: &[f64; 6], seconds: f64) -> [f64; 6] {
 pub(super) const OUT: u32 = u32::MAX;
 
 /// The states of one target, each with the cost of the cheapest chain that ends in it.
+#[derive(Clone)]
 pub(super) struct TargetStates {
     pub states: Vec<ArmState>,
     pub cost: Vec<f64>,
@@ -87,6 +92,23 @@ impl TargetStates {
             (Some(&a), Some(&b)) => a as usize..b as usize,
             _ => 0..0,
         }
+    }
+
+    /// By how much the same states cost more elsewhere, all of them and the one that leaves the target out; `None`: not all by
+    /// the same.
+    pub fn costs_less_by(&self, dearer: &TargetStates) -> Option<f64> {
+        let more = dearer.left_out - self.left_out;
+        let is_alike = |(a, b): (&f64, &f64)| (b - a - more).abs() <= ALIKE + ROUNDING * b.abs();
+        let pairs = self.cost.iter().zip(&dearer.cost);
+        (self.cost.len() == dearer.cost.len() && pairs.into_iter().all(is_alike)).then_some(more)
+    }
+
+    /// The same states at a cost that is greater by `more`.
+    pub fn dearer_by(&self, more: f64) -> TargetStates {
+        let mut states = self.clone();
+        states.cost.iter_mut().for_each(|cost| *cost += more);
+        states.left_out += more;
+        states
     }
 
     /// The cheapest node and its cost.

@@ -1,6 +1,7 @@
-//! What a repeated search for a chain keeps from the one before: the arm's solutions at targets, and which of them
-//! touch. Targets do not move, whatever was refused or closed meanwhile.
+//! What a repeated search for a chain keeps from the one before: the chain, the arm's solutions at targets, and which of
+//! them touch. Targets do not move, whatever was refused or closed meanwhile.
 
+use super::chain::ChainMemory;
 use super::states::{ArmSolutions, ArmState};
 use crate::pose::Pass;
 use std::collections::BTreeMap;
@@ -16,6 +17,8 @@ pub struct TargetStateCache {
     /// By pass and point; empty until a second search begins.
     solutions: Vec<Vec<OnceLock<ArmSolutions>>>,
     kept: AtomicUsize,
+    /// The chain that was found last.
+    pub(super) chain: ChainMemory,
     /// By pass in which a chosen state touched: what is known of each of its targets.
     checks: BTreeMap<usize, Vec<ContactChecks>>,
 }
