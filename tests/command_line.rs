@@ -150,18 +150,16 @@ fn assert_dose_ply(bytes: &[u8], side: &str) {
         let line = header.lines().find_map(|l| l.strip_prefix(what)).expect("a count");
         line.trim().parse().expect("a number")
     };
-    let (vertices, faces) = (count("element vertex"), count("element face"));
-    let vertex = |i: usize| &bytes[end + 24 * i..end + 24 * (i + 1)];
+    let vertices = count("element vertex");
+    let vertex = |i: usize| &bytes[end + 28 * i..end + 28 * (i + 1)];
     let float = |i: usize, k: usize| f32::from_le_bytes(vertex(i)[4 * k..4 * k + 4].try_into().expect("four"));
-    let surface = |i: usize| i32::from_le_bytes(vertex(i)[20..].try_into().expect("four"));
+    let surface = |i: usize| i32::from_le_bytes(vertex(i)[20..24].try_into().expect("four"));
     let best = (0..vertices).max_by(|a, b| float(*a, 3).total_cmp(&float(*b, 3))).expect("vertices");
     assert_eq!(surface(best).to_string(), side);
     assert!((0..vertices).all(|i| (float(i, 3) == 0.0) == (float(i, 4) == -1.0)));
-    let mut at = end + 24 * vertices;
-    for _ in 0..faces {
-        at += 1 + 4 * usize::from(bytes[at]);
-    }
-    assert_eq!(at, bytes.len());
+    assert_eq!(end + 28 * vertices, bytes.len());
+    let area_mm2: f64 = (0..vertices).map(|i| f64::from(float(i, 6))).sum();
+    assert!((area_mm2 - 600.0).abs() < 0.01, "the cube's six sides: {area_mm2}");
 }
 
 #[test]

@@ -228,37 +228,27 @@ fn closer_than_mm(job: &Job, gap_mm: f64) -> Option<f64> {
     spot(job).sufficient_spacing_mm(apart_mm, &enough).map(|mm| mm * planned_mm / apart_mm)
 }
 
-/// `dose.ply`: the samples as polygons, binary little endian; the values stand at their corners.
+/// `dose.ply`: a point for each sample, binary little endian.
 ///
 /// # Errors
 /// [`Cancelled`] when `progress` says so.
 pub fn ply(map: &DoseMap, surfaces: &Surfaces, progress: &Progress) -> Result<Vec<u8>, Cancelled> {
-    let count = map.samples.len();
     let mut out = format!(
-        "ply\nformat binary_little_endian 1.0\ncomment mm; J/cm2; -1 degrees where nothing lands\n\
-         element vertex {}\nproperty float x\nproperty float y\nproperty float z\nproperty float fluence_j_cm2\n\
-         property float incidence_deg\nproperty int surface\nelement face {count}\n\
-         property list uchar int vertex_indices\nend_header\n",
-        map.corners.len()
+        "ply\nformat binary_little_endian 1.0\ncomment samples of the surface; mm, mm2, J/cm2; -1 degrees where nothing \
+         lands\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\nproperty float fluence_j_cm2\n\
+         property float incidence_deg\nproperty int surface\nproperty float area_mm2\nend_header\n",
+        map.samples.len()
     )
     .into_bytes();
-    out.reserve(map.corners.len() * (24 + 4) + count);
+    out.reserve(28 * map.samples.len());
     for (number, s) in map.samples.iter().enumerate() {
         progress.check_at(number)?;
+        for x in s.centre.iter().chain([&s.fluence_j_cm2, &s.incidence_deg]) {
+            out.extend((x + 0.0).to_le_bytes());
+        }
         let surface = surfaces.of_facet.get(s.facet as usize).map_or(0, |n| *n as i32);
-        for corner in map.corners_of(s) {
-            for x in corner.iter().chain([&s.fluence_j_cm2, &s.incidence_deg]) {
-                out.extend((x + 0.0).to_le_bytes());
-            }
-            out.extend(surface.to_le_bytes());
-        }
-    }
-    for (number, s) in map.samples.iter().enumerate() {
-        progress.check_at(number)?;
-        out.push(s.corner_count);
-        for k in 0..u32::from(s.corner_count) {
-            out.extend((s.first_corner + k).to_le_bytes());
-        }
+        out.extend(surface.to_le_bytes());
+        out.extend(s.area_mm2.to_le_bytes());
     }
     Ok(out)
 }
