@@ -16,6 +16,13 @@ pub(super) fn rest(body: &PlacedFrustum, a: &Vector3<f64>, corners: &[Point3<f64
     (up >= REST_COSINE).then_some(mm)
 }
 
+/// How far a body that is mounted over the skin stands over a facet, mm: the facet lies along the skin in front of it, or the
+/// body rests on it. Of a level skin some facets lie beside what stands over others. `None`: it stands beside a wall.
+pub(super) fn over(body: &PlacedFrustum, a: &Vector3<f64>, corners: &[Point3<f64>; 3]) -> Option<f64> {
+    let lies_below = || is_before(body, a, corners, 0.0).then(|| body.separation(corners).norm());
+    rest(body, a, corners).or_else(lies_below)
+}
+
 /// Whether all of a body is farther than `keeps_mm` in front of the plane of a facet that it lies along.
 pub(super) fn is_before(body: &PlacedFrustum, a: &Vector3<f64>, corners: &[Point3<f64>; 3], keeps_mm: f64) -> bool {
     let n = angle::unit(normal(corners)).filter(|n| n.dot(a) >= REST_COSINE);

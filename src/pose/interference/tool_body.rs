@@ -55,7 +55,9 @@ impl ToolShape<'_> {
             return None;
         }
         let on_skin = self.skin_mm.filter(|_| of_part);
-        let rests = on_skin.and_then(|skin_mm| Some((skin::rest(placed, a, corners)?, skin_mm)));
+        let is_mounted = self.tool_body == ToolBody::Head;
+        let stands = |corners| if is_mounted { skin::over(placed, a, corners) } else { skin::rest(placed, a, corners) };
+        let rests = on_skin.and_then(|skin_mm| Some((stands(corners)?, skin_mm)));
         let Some((rest_mm, skin_mm)) = rests else { return Some(self.tool_body) };
         let into_skin = if self.tool_body == ToolBody::Abrasive { ToolBody::Gouge } else { self.tool_body };
         (rest_mm <= skin_mm + more_mm).then_some(into_skin)
