@@ -5,7 +5,7 @@
 mod common;
 
 use clearbeam::app::{Command, Purpose};
-use clearbeam::beam::Obstacle;
+use clearbeam::beam::{Head, Obstacle};
 use clearbeam::document::Edit;
 use common::window::{Answers, click, drag, job_on, press, reveal, says, settle, snapshot, window};
 use eframe::egui::{Key, Modifiers};
@@ -40,6 +40,29 @@ fn a_head_is_opened_seen_and_taken_away() {
     snapshot(&mut h, "access");
     press(&mut h, Modifiers::COMMAND, Key::Z);
     assert!(h.query_by_label("Margin").is_none(), "undone");
+}
+
+/// A head of three pieces is taken from the samples, gets a fourth, and is written where it is asked for.
+#[test]
+fn a_head_is_put_together_and_used() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let answers = Answers::default();
+    let file = folder.path().join("mine.toml");
+    answers.0.lock().expect("answers").push((Purpose::SaveHead, file.clone()));
+    let mut h = window(Some(job(&folder, "")), &answers);
+    click(&mut h, "Edit…");
+    h.get_by_label("it has no part");
+    click(&mut h, "Scan head");
+    snapshot(&mut h, "head_editor");
+    click(&mut h, "Add a piece");
+    click(&mut h, "Remove piece 1");
+    click(&mut h, "Save and use…");
+    let Ok(Head::Stack(parts)) = Head::load(&file) else { panic!("a stack") };
+    let spans: Vec<(f64, f64)> = parts.iter().map(|p| (p.from_mm, p.to_mm)).collect();
+    assert_eq!(spans, [(195.0, 330.0), (330.0, 430.0), (430.0, 480.0)]);
+    assert!(h.query_by_label("mine.toml").is_some(), "the job uses it");
+    h.get_by_label("Margin");
+    assert!(h.query_by_label("Save and use…").is_none(), "the window is closed");
 }
 
 #[test]

@@ -24,6 +24,8 @@ pub enum Purpose {
     Robot,
     /// A laser head to open.
     Head,
+    /// Where to save the laser head that is being put together.
+    SaveHead,
     /// The facets of a clamp on the part.
     Clamp,
     /// A scan of the part as it is.

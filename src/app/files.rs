@@ -50,6 +50,7 @@ impl App {
                 let named = files::relative_to(&path, self.document.file());
                 self.edit(Edit::Head(named));
             }
+            Purpose::SaveHead => self.save_head(path),
             Purpose::Clamp => {
                 let named = files::relative_to(&path, self.document.file());
                 let mut clamps = self.document.job().clamps.clone();

@@ -26,6 +26,7 @@ mod file_findings;
 mod files;
 mod gizmo;
 mod going_on;
+mod head_file;
 mod journal;
 mod measuring;
 mod menu_place;
@@ -294,6 +295,7 @@ impl eframe::App for App {
         self.panel(|context, actions| panels::questions::ui(ui.ctx(), context, actions));
         self.panel(|context, actions| panels::dialogs::message(ui.ctx(), context, actions));
         self.panel(|context, actions| panels::compare::ui(ui.ctx(), context, actions));
+        self.panel(|context, actions| panels::head_editor::ui(ui.ctx(), context, actions));
         self.panel(|context, actions| panels::weld::images::ui(ui.ctx(), context, actions));
         panels::library::at_cursor(ui.ctx());
         // Edits of this frame are kept with it: there may be no other for a while.

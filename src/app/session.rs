@@ -3,6 +3,7 @@
 use super::dose::Clicked;
 use super::gizmo::state::Gizmo;
 use super::panels::compare::state::Compare;
+use super::panels::head_editor::state::HeadDraft;
 use super::panels::palette::state::Palette;
 use super::panels::recipe::draft::Draft;
 use super::playback::Playback;
@@ -124,6 +125,8 @@ pub struct Session {
     pub draft: Option<Draft>,
     /// Recipes side by side.
     pub compare: Option<Compare>,
+    /// A head that is being put together.
+    pub head_draft: Option<HeadDraft>,
     /// The pass to go on from after a stop, and the plan that it is one of.
     pub going_on: Option<GoingOn>,
     /// Whether it was a dry run that was exported last.
@@ -288,6 +291,7 @@ impl Default for Session {
             menu_place: None,
             draft: None,
             compare: None,
+            head_draft: None,
             going_on: None,
             exported_dry_run: false,
             exports: 0,

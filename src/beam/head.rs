@@ -125,6 +125,15 @@ impl Head {
         Ok(Head::Stack(file.part))
     }
 
+    /// The file's text of a stack.
+    pub fn to_toml(stack: &[HeadPart]) -> String {
+        let piece = |p: &HeadPart| {
+            let HeadPart { from_mm, to_mm, r0_mm, r1_mm } = p;
+            format!("[[part]]\nfrom_mm = {from_mm:?}\nto_mm = {to_mm:?}\nr0_mm = {r0_mm:?}\nr1_mm = {r1_mm:?}\n")
+        };
+        stack.iter().map(piece).collect::<Vec<_>>().join("\n")
+    }
+
     /// Its facets, where it has any.
     pub fn solid(&self) -> Option<&Part> {
         match self {
@@ -170,6 +179,7 @@ mod tests {
         let good = "[[part]]\nfrom_mm = 10\nto_mm = 60\nr0_mm = 4\nr1_mm = 20\n";
         let Ok(Head::Stack(parts)) = Head::from_toml(good) else { panic!("a good stack") };
         assert_eq!(parts, [HeadPart { from_mm: 10.0, to_mm: 60.0, r0_mm: 4.0, r1_mm: 20.0 }]);
+        assert_eq!(Head::from_toml(&Head::to_toml(&parts)), Ok(Head::Stack(parts)));
         let refused = |text: &str| Head::from_toml(text).expect_err(text);
         assert_eq!(refused("part = []"), StackError::Empty);
         let back = refused("[[part]]\nfrom_mm = 10\nto_mm = 5\nr0_mm = 4\nr1_mm = 20\n");

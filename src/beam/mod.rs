@@ -11,6 +11,7 @@ mod head_part;
 pub mod obstacle;
 pub mod optics;
 pub mod process_settings;
+pub mod sample_heads;
 mod simplex;
 pub mod tool_configuration;
 pub mod tool_geometry;
@@ -24,6 +25,7 @@ pub use head_part::HeadPart;
 pub use obstacle::{Obstacle, Standing};
 pub use optics::Optics;
 pub use process_settings::{ProcessSettings, WorkingMedium};
+pub use sample_heads::SampleHead;
 pub use tool_configuration::ToolConfiguration;
 pub use tool_geometry::ToolGeometry;
 

@@ -9,6 +9,27 @@ tool_open_head = Open head…
 tool_open_head_tip = A stack of cylinders and cones (TOML), or an STL, OBJ, PLY or 3MF file
 tool_remove_head = Remove the head
 tool_head_of_facets = A head of facets counts as the solid that it sweeps when turned about the beam
+tool_edit_head = Edit…
+tool_edit_head_tip = Put the head together from cylinders and cones, drawn to scale, or begin with a sample
+head_title = Laser head
+head_drawing = The head from the side, to scale
+head_begin_with = Begin with:
+head_fixed_optic = Slim optic
+head_scan_head = Scan head
+head_cladding_nozzle = Cladding nozzle
+head_sample_tip = An example of this kind. Measure your own head and change the numbers
+head_how = Heights are measured from the focus, upwards along the beam. The thick line is the surface.
+head_add = Add a piece
+head_add_tip = Adds a cylinder on top of the last piece
+head_from = from
+head_to = to
+head_radius_from = radius below
+head_radius_to = radius above
+head_number_name = Piece { $number }: { $what }
+head_remove = Remove this piece
+head_remove_name = Remove piece { $number }
+head_keep = Save and use…
+head_keep_tip = Writes the head into a file of its own, which the job then uses
 
 ## Optics
 

@@ -7,6 +7,7 @@ problems_out_of_date = Problems: out of date
 problems_none = Problems: none
 problems_count = Problems ({ $count })
 problems_found = Found in the part's file
+problems_alike = { $count } more like these
 problems_beam_hits = the beam hits surface { $surface } (facet { $facet })
 problems_beam_hits_something = the beam hits something
 problems_head_hits = the head hits surface { $surface } (facet { $facet })

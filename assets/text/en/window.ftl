@@ -105,6 +105,7 @@ dialog_program_folder = Choose a folder for the program
 dialog_dry_run_folder = Choose a folder for the dry run
 dialog_cell = Choose a cell file
 dialog_head = Choose a laser head
+dialog_save_head = Save the laser head
 dialog_clamp = Choose the facets of a clamp
 dialog_scan = Choose a scan
 dialog_weld_gray = Choose the grey image of the weld

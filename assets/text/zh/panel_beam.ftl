@@ -9,6 +9,27 @@ tool_open_head = 打开激光头…
 tool_open_head_tip = 由圆柱和圆锥叠成的文件（TOML），或 STL、OBJ、PLY、3MF 文件
 tool_remove_head = 移除激光头
 tool_head_of_facets = 由面片构成的激光头，按其绕光束旋转一周扫过的实体计算
+tool_edit_head = 编辑…
+tool_edit_head_tip = 用圆柱和圆锥按比例拼成激光头，或从样例开始
+head_title = 激光头
+head_drawing = 激光头侧视图，按比例
+head_begin_with = 从样例开始：
+head_fixed_optic = 细长光学头
+head_scan_head = 振镜头
+head_cladding_nozzle = 熔覆喷嘴
+head_sample_tip = 该类激光头的示例。请测量自己的激光头并修改数值
+head_how = 高度从焦点算起，沿光束向上。粗线为工件表面。
+head_add = 添加一段
+head_add_tip = 在最后一段之上添加一段圆柱
+head_from = 起
+head_to = 止
+head_radius_from = 下端半径
+head_radius_to = 上端半径
+head_number_name = 第 { $number } 段：{ $what }
+head_remove = 移除此段
+head_remove_name = 移除第 { $number } 段
+head_keep = 保存并使用…
+head_keep_tip = 将激光头写入单独的文件，由作业使用
 
 ## 光学参数
 

@@ -7,6 +7,7 @@ problems_out_of_date = 问题：已过期
 problems_none = 问题：无
 problems_count = 问题（{ $count }）
 problems_found = 零件文件的检查结果
+problems_alike = 另有 { $count } 条同类问题
 problems_beam_hits = 光束碰到面 { $surface }（面片 { $facet }）
 problems_beam_hits_something = 光束碰到物体
 problems_head_hits = 激光头碰到面 { $surface }（面片 { $facet }）

@@ -90,6 +90,7 @@ dialog_program_folder = 选择程序文件夹
 dialog_dry_run_folder = 选择空运行文件夹
 dialog_cell = 选择工作站文件
 dialog_head = 选择激光头
+dialog_save_head = 保存激光头
 dialog_clamp = 选择夹具文件
 dialog_scan = 选择扫描数据
 dialog_weld_gray = 选择焊缝灰度图

@@ -53,6 +53,9 @@ impl Wanted {
             Purpose::Cell => file(say!(dialog_cell), &[&["toml"]]),
             Purpose::Robot => file(say!(dialog_robot), &[&["toml"]]),
             Purpose::Head => file(say!(dialog_head), &[&["toml"], &ENDINGS]),
+            Purpose::SaveHead => {
+                Wanted { kind: WantedKind::NewFile("head.toml".into()), ..file(say!(dialog_save_head), &[&["toml"]]) }
+            }
             Purpose::Clamp => file(say!(dialog_clamp), &[&ENDINGS]),
             Purpose::Scan => file(say!(dialog_scan), &[&scan::file::ENDINGS]),
             Purpose::WeldGray | Purpose::NextGray => file(say!(dialog_weld_gray), &[&IMAGES, &JPEG]),

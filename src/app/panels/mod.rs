@@ -17,6 +17,7 @@ pub(super) mod file_banner;
 mod frames;
 mod going_on;
 mod handles_button;
+pub(super) mod head_editor;
 mod later;
 mod laying;
 pub(super) mod library;

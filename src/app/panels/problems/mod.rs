@@ -16,9 +16,12 @@ use crate::planning::PlannedJob;
 use crate::planning::report::{NothingReason, Notice, Severity};
 use crate::text::{NamedSentence as _, Naming, Sentence as _, example, remedy, say};
 use eframe::egui::{self, CollapsingHeader, Color32, RichText, ScrollArea};
+use std::mem::discriminant;
 
 /// A window lower than this opens with the problems folded: their number is told, and a click shows them.
 const LOW: f32 = 600.0;
+/// More problems of one kind than this are folded, but for the first.
+const MOST_ALIKE: usize = 5;
 
 pub(in super::super) fn ui(ui: &mut egui::Ui, height: f32, context: Context<'_>, actions: &mut Actions) {
     let (title, color) = title(context, ui.visuals());
@@ -72,10 +75,18 @@ fn rows(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions) {
         return;
     };
     let (found, wrong): (Vec<_>, Vec<_>) = rows_of(of).partition(|n| n.severity() == Severity::Found);
-    for notice in &wrong {
+    let mut told = |ui: &mut egui::Ui, notice: &Notice| {
         row(ui, notice, of, actions);
         if context.plan().is_some() {
             cures::ui(ui, notice, of, actions);
+        }
+    };
+    for (number, alike) in wrong.chunk_by(|a, b| discriminant(*a) == discriminant(*b)).enumerate() {
+        let (shown, more) = alike.split_at(if alike.len() > MOST_ALIKE { MOST_ALIKE - 1 } else { alike.len() });
+        shown.iter().for_each(|notice| told(ui, notice));
+        if !more.is_empty() {
+            let header = CollapsingHeader::new(say!(problems_alike, count = more.len())).id_salt(("alike", number));
+            header.show(ui, |ui| more.iter().for_each(|notice| told(ui, notice)));
         }
     }
     suggestions::ui(ui, context, actions);
