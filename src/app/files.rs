@@ -46,11 +46,8 @@ impl App {
                 let named = files::relative_to(&path, self.document.file());
                 self.edit(Edit::Cell(named));
             }
-            Purpose::Head => {
-                let named = files::relative_to(&path, self.document.file());
-                self.edit(Edit::Head(named));
-            }
-            Purpose::SaveHead => self.save_head(path),
+            Purpose::Head => self.use_head(&path),
+            Purpose::SaveHead => self.save_head(&path),
             Purpose::Clamp => {
                 let named = files::relative_to(&path, self.document.file());
                 let mut clamps = self.document.job().clamps.clone();

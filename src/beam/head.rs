@@ -127,6 +127,9 @@ impl Head {
 
     /// The file's text of a stack.
     pub fn to_toml(stack: &[HeadPart]) -> String {
+        if stack.is_empty() {
+            return "part = []\n".into();
+        }
         let piece = |p: &HeadPart| {
             let HeadPart { from_mm, to_mm, r0_mm, r1_mm } = p;
             format!("[[part]]\nfrom_mm = {from_mm:?}\nto_mm = {to_mm:?}\nr0_mm = {r0_mm:?}\nr1_mm = {r1_mm:?}\n")

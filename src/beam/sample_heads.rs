@@ -19,7 +19,7 @@ impl SampleHead {
     pub const ALL: [SampleHead; 3] = [SampleHead::FixedOptic, SampleHead::ScanHead, SampleHead::CladdingNozzle];
 
     /// The text of its file.
-    pub fn text(self) -> &'static str {
+    fn text(self) -> &'static str {
         match self {
             SampleHead::FixedOptic => include_str!("../../assets/heads/fixed_optic.toml"),
             SampleHead::ScanHead => include_str!("../../assets/heads/scan_head.toml"),

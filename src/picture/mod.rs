@@ -36,5 +36,5 @@ pub use paths::{PathLook, paths};
 pub use scan::{ScanLook, ScanPicture};
 pub use scan_on_part::{deviation_on_model, deviation_points, deviation_scale};
 pub use still::{part_with_lines, png, still};
-pub use tool::ToolPicture;
+pub use tool::{LIGHT, ToolPicture};
 pub use trail::Trail;

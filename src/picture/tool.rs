@@ -10,7 +10,8 @@ use nalgebra::{Isometry3, Translation3};
 use std::sync::Arc;
 
 const HEAD: Rgb = [196, 200, 208];
-const LIGHT: Rgb = [255, 120, 70];
+/// The beam.
+pub const LIGHT: Rgb = [255, 120, 70];
 const CLAMP: Rgb = [120, 126, 138];
 const ABRASIVE: Rgb = [150, 110, 70];
 /// The part is seen through the head.

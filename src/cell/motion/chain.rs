@@ -4,7 +4,7 @@
 //! than 30°, and no joint faster than it can go at the programmed speed of the spot. The cost is joint
 //! travel, nearness to limits and nearness to singularities. Where no chain exists, the fewest targets
 //! possible are left out. All spins are looked at; nothing is sampled or refined, so the chain is the
-//! optimum of these rules.
+//! optimum of these rules; of a repeated search to a millionth of a degree.
 
 use super::rules::{LEFT_OUT, OUT, Rules, TargetStates};
 use super::states::{Arm, ArmState, NoState};
@@ -63,12 +63,11 @@ pub(super) struct ChainMemory {
 impl ChainMemory {
     /// By how much more a chunk of targets is come to than here, if it is the same chunk and goes on as it did.
     fn goes_on(&self, chunk: usize, keys: &[TargetKey], before: &TargetStates) -> Option<f64> {
-        let (first, end) = (chunk * CHUNK, ((chunk + 1) * CHUNK).min(keys.len()));
         // The states before are those of the target before.
-        let alike = first.saturating_sub(1)..end;
-        let is_known = chunk + 1 < self.states.len() && self.keys.get(alike.clone()) == keys.get(alike);
-        let was_end = ((chunk + 1) * CHUNK).min(self.keys.len());
-        self.states.get(chunk).filter(|_| is_known && was_end == end)?.costs_less_by(before)
+        let last = |keys: &[TargetKey]| (chunk * CHUNK).checked_sub(1).and_then(|i| keys.get(i).copied());
+        let is_known =
+            last(&self.keys) == last(keys) && self.keys.chunks(CHUNK).nth(chunk) == keys.chunks(CHUNK).nth(chunk);
+        self.states.get(chunk).filter(|_| is_known)?.costs_less_by(before)
     }
 }
 
@@ -115,9 +114,9 @@ pub(super) fn chain(
             before = current;
         }
     }
-    memory.keys = keys.to_vec();
-    memory.states.push(before.clone());
     let mut at = before.cheapest().0;
+    memory.keys = keys.to_vec();
+    memory.states.push(before);
     let mut picked = vec![OUT; targets.len()];
     for (pick, t) in picked.iter_mut().zip(&memory.trace).rev() {
         *pick = at;
@@ -126,7 +125,7 @@ pub(super) fn chain(
     let state = |(target, t, pick): (&ChainTarget, &Trace, u32)| {
         let key = t.keys.get(pick as usize);
         key.and_then(|[spin, branch, turn]| arm.state(&target.part_from_focus, *spin, *branch, *turn))
-            .ok_or(t.reason.clone())
+            .ok_or_else(|| t.reason.clone())
     };
     let found = targets.iter().zip(&memory.trace).zip(picked);
     Some(found.map(|((target, t), pick)| state((target, t, pick))).collect())

@@ -103,7 +103,7 @@ impl TargetStates {
         (self.cost.len() == dearer.cost.len() && pairs.into_iter().all(is_alike)).then_some(more)
     }
 
-    /// The same states at a cost that is greater by `more`.
+    /// These states, each dearer by `more`.
     pub fn dearer_by(&self, more: f64) -> TargetStates {
         let mut states = self.clone();
         states.cost.iter_mut().for_each(|cost| *cost += more);

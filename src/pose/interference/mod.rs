@@ -5,6 +5,8 @@
 
 mod beam_interference;
 mod blocker;
+#[cfg(test)]
+mod motions_for_tests;
 mod ray;
 mod separated;
 mod skin;

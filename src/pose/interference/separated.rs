@@ -60,13 +60,10 @@ const LEAST_COSINE: f64 = 0.88;
 
 #[cfg(test)]
 mod tests {
+    use super::super::motions_for_tests::{motion, point};
     use super::*;
     use crate::part::distance::ray_triangle;
     use proptest::prelude::*;
-
-    fn point(c: [f64; 3]) -> Point3<f64> {
-        Point3::from(Vector3::from(c))
-    }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4000))]
@@ -82,11 +79,7 @@ mod tests {
             sag_mm in prop_oneof![Just(0.0), 0.0..0.2f64],
         ) {
             let corners = [point([c[0], c[1], c[2]]), point([c[3], c[4], c[5]]), point([c[6], c[7], c[8]])];
-            let axes = [Vector3::from(a), Vector3::from(a) + Vector3::from(turn)].map(angle::unit);
-            let [Some(a0), Some(a1)] = axes else { return Ok(()) };
-            let from = Pose { p: point(p), a: a0 };
-            let to = Pose { p: from.p + Vector3::from(step), a: a1 };
-            let middle = from.midway(&to, 0.5);
+            let Some([from, middle, to]) = motion(p, step, a, turn) else { return Ok(()) };
             if is_separated(&[from, middle, to], &corners, (0.02, sag_mm), |_| 0.0) {
                 for i in 0..=200 {
                     let q = from.midway(&to, f64::from(i) / 200.0);

@@ -106,14 +106,11 @@ impl SweptBeam {
 
 #[cfg(test)]
 mod tests {
+    use super::super::motions_for_tests::{motion, point};
     use super::*;
     use crate::part::distance::ray_triangle;
     use crate::part::topology::bounds_of;
     use proptest::prelude::*;
-
-    fn point(c: [f64; 3]) -> Point3<f64> {
-        Point3::from(Vector3::from(c))
-    }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4000))]
@@ -134,12 +131,8 @@ mod tests {
             let at = [c[0], c[1], c[2]];
             let small = |k: usize| point([0, 1, 2].map(|i| at[i] + size * (c[k + i] - at[i])));
             let corners = [point(at), small(3), small(6)];
-            let axes = [Vector3::from(a), Vector3::from(a) + Vector3::from(turn)].map(angle::unit);
-            let [Some(a0), Some(a1)] = axes else { return Ok(()) };
-            prop_assume!(a0.dot(&a1) > -0.9);
-            let from = Pose { p: point(p), a: a0 };
-            let to = Pose { p: from.p + Vector3::from(step), a: a1 };
-            let middle = from.midway(&to, 0.5);
+            let Some([from, middle, to]) = motion(p, step, a, turn) else { return Ok(()) };
+            prop_assume!(from.a.dot(&to.a) > -0.9);
             let swept = SweptBeam::new(&[from, middle, to], [t_mm[0] - sag_mm, t_mm[1] + sag_mm], (0.02, 0.01));
             let bounds = bounds_of(corners.iter().copied());
             let meets_box = swept.meets_box(&bounds.0.into(), &bounds.1.into());

@@ -23,10 +23,11 @@ pub(super) fn ui(ui: &mut egui::Ui, context: Context<'_>, actions: &mut Actions)
             actions.ask(Purpose::Head);
         }
         if ui.button(say!(tool_edit_head)).on_hover_text(say!(tool_edit_head_tip)).clicked() {
-            let draft = match context.derived.pipeline.setup() {
-                Some(Ok(setup)) => HeadDraft::of(setup.tool.head.as_ref()),
-                _ => HeadDraft::of(None),
+            let head = match context.derived.pipeline.setup() {
+                Some(Ok(setup)) => setup.tool.head.as_ref(),
+                _ => None,
             };
+            let draft = HeadDraft::of(head);
             actions.session(|s| s.head_draft = Some(draft));
         }
         if !file.is_empty() && ui.small_button("×").on_hover_text(say!(tool_remove_head)).clicked() {

@@ -30,8 +30,7 @@ impl HeadDraft {
     /// It is no head yet.
     pub fn text(&self) -> Result<String, StackError> {
         let text = Head::to_toml(&self.parts);
-        // A head without a piece is an empty list, which is told as such.
-        Head::from_toml(if self.parts.is_empty() { "part = []" } else { &text }).map(|_| text)
+        Head::from_toml(&text).map(|_| text)
     }
 }
 
