@@ -52,9 +52,12 @@ impl Bvh {
         let bounded = |&facet: &u32| FacetBox { bounds: Aabb::of(&mesh.corners(facet as usize)), facet };
         let mut items: Vec<FacetBox> = facet.par_iter().map(bounded).collect();
         progress.check()?;
-        let nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, (0, 0), progress) };
+        let mut nodes = if items.is_empty() { Vec::new() } else { build_tree(&mut items, (0, 0), progress) };
         progress.check()?;
         let facet: Vec<u32> = items.iter().map(|i| i.facet).collect();
+        // Before the corners come: together they would be the most that a part needs while it is built.
+        drop(items);
+        nodes.shrink_to_fit();
         let corners = facet.iter().map(|&f| mesh.corners(f as usize)).collect();
         Ok(Bvh { nodes, corners, facet })
     }

@@ -36,6 +36,7 @@ pub struct Mesh {
     pub areas: Vec<f64>,
     /// Defect of each facet; facets with one are not planned on.
     pub defects: Vec<FacetDefect>,
+    bounds: (Point3<f64>, Point3<f64>),
     at_edge: Incidence,
     at_vertex: Incidence,
     sides: Sides,
@@ -108,12 +109,13 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// Computes normals, areas and defects from the vertices; to be called when those have moved.
+    /// Computes normals, areas, defects and the box around all from the vertices; to be called when those have moved.
     ///
     /// # Errors
     /// [`Cancelled`] when `progress` says so; they are not all there then.
     pub fn update_geometry_under(&mut self, progress: &Progress) -> Result<(), Cancelled> {
         let count = self.facets.len();
+        self.bounds = bounds_of(self.vertices.iter().copied());
         (self.normals, self.areas) = (Vec::with_capacity(count), Vec::with_capacity(count));
         self.defects = vec![FacetDefect::None; count];
         for &f in self.sides.repeated() {
@@ -230,7 +232,7 @@ impl Mesh {
 
     /// The box around all vertices, mm.
     pub fn bounds(&self) -> (Point3<f64>, Point3<f64>) {
-        bounds_of(self.vertices.iter().copied())
+        self.bounds
     }
 
     /// Diagonal of the box, mm.

@@ -9,7 +9,9 @@ use super::section::TransversalLine;
 use crate::part::{Mesh, surfaces::Surface};
 use crate::progress::{Cancelled, Progress};
 use nalgebra::Point3;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// Coverage of one surface.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -41,29 +43,35 @@ pub fn coverage(
     progress: &Progress,
 ) -> Result<Coverage, Cancelled> {
     let parallel_sine = libm::sin(PARALLEL_DEG.to_radians());
-    let mut grid: Option<PointGrid> = None;
+    let grid: OnceLock<PointGrid> = OnceLock::new();
     let mut out = Coverage::default();
     if lines.is_empty() {
         // Planes that cross it have no line on it.
         let missed_facets = live(mesh, surface).map(|f| f as u32).collect();
         return Ok(Coverage { missed_area_mm2: surface.area_mm2, missed_facets, ..out });
     }
-    for f in live(mesh, surface) {
+    let sine = |f: usize, planes: &SurfacePlanes| mesh.normals[f].cross(&planes.normal).norm();
+    let looked_at = |f: usize| {
         progress.check()?;
-        let sine = |planes: &SurfacePlanes| mesh.normals[f].cross(&planes.normal).norm();
         let crosses = |planes: &SurfacePlanes| {
             let heights = mesh.corners(f).map(|p| p.coords.dot(&planes.normal));
             let (lo, hi) = (heights[0].min(heights[1]).min(heights[2]), heights[0].max(heights[1]).max(heights[2]));
             let from = planes.heights_mm.partition_point(|&c| c <= lo);
             planes.heights_mm.get(from).is_some_and(|&c| c <= hi)
         };
-        let steepest = planes.iter().map(sine).reduce(f64::max);
-        let crossed = planes.iter().any(|p| sine(p) >= parallel_sine && crosses(p));
+        let steepest = planes.iter().map(|p| sine(f, p)).reduce(f64::max);
+        let crossed = planes.iter().any(|p| sine(f, p) >= parallel_sine && crosses(p));
         let missed = steepest.is_some_and(|sine| sine < parallel_sine)
             || (!crossed && {
-                let grid = grid.get_or_insert_with(|| PointGrid::new(lines, spacing_mm));
+                let grid = grid.get_or_init(|| PointGrid::new(lines, spacing_mm));
                 !grid.has_within(&mesh.corners(f), spacing_mm)
             });
+        Ok((f, steepest, missed))
+    };
+    let facets: Vec<usize> = live(mesh, surface).collect();
+    let looked_at: Vec<_> =
+        facets.into_par_iter().with_min_len(256).map(looked_at).collect::<Result<_, Cancelled>>()?;
+    for (f, steepest, missed) in looked_at {
         if missed {
             out.missed_area_mm2 += mesh.areas[f];
             out.missed_facets.push(f as u32);
@@ -108,9 +116,15 @@ impl PointGrid {
         let lo = key(&corners[0].inf(&corners[1]).inf(&corners[2]), self.cell_mm).map(|k| k - 2);
         let hi = key(&corners[0].sup(&corners[1]).sup(&corners[2]), self.cell_mm).map(|k| k + 2);
         let near = |cell: &[i64; 3]| (0..3).all(|k| (lo[k]..=hi[k]).contains(&cell[k]));
-        let reaches = |(a, b): &LinePiece| crate::part::distance::segment_triangle(a, b, corners) <= distance_mm;
         // Mostly a line passes near the middle, which the nearest cells show at little cost.
         let middle = corners[0] + ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.0;
+        // What is within reach of the facet is within this of its middle: the distance to a point costs a tenth.
+        let radius_mm = corners.iter().map(|corner| (corner - middle).norm()).fold(0.0, f64::max);
+        let from_middle_mm = (distance_mm + radius_mm) * (1.0 + 1e-9);
+        let reaches = |(a, b): &LinePiece| {
+            crate::part::distance::point_segment(&middle, a, b) <= from_middle_mm
+                && crate::part::distance::segment_triangle(a, b, corners) <= distance_mm
+        };
         let here = key(&middle, self.cell_mm);
         let passes = |(a, b): &LinePiece| crate::part::distance::point_segment(&middle, a, b) <= distance_mm;
         let around =
