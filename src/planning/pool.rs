@@ -3,6 +3,7 @@
 use super::executor::{Executor, Task};
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex};
+use thread_priority::{ThreadPriority, set_current_thread_priority};
 
 /// Threads that take tasks in the order in which they come, and wake whoever waits for results.
 ///
@@ -10,7 +11,12 @@ use std::sync::{Arc, Condvar, Mutex};
 /// uses all cores where its work can be shared.
 const THREADS: usize = 3;
 
-/// A bounded pool. Its threads end with it.
+/// Priority of all work, of 100, where a thread begins with about 50: where the window wants all cores, it gets a
+/// thirtieth of them. On two cores, too, a part is turned while it is planned.
+const PRIORITY: u8 = 10;
+
+/// A bounded pool. Its threads end with it. What they share out among all cores they share out among threads of their own:
+/// else whoever waits for a result could do nothing on all cores until it is there, and a window would stand still.
 pub struct Pool {
     queue: Arc<Queue>,
 }
@@ -18,6 +24,8 @@ pub struct Pool {
 struct Queue {
     tasks: Mutex<Waiting>,
     more: Condvar,
+    /// `None`: there are no threads to be had, and those of everybody must do.
+    cores: Option<rayon::ThreadPool>,
     wake: Box<dyn Fn() + Send + Sync>,
 }
 
@@ -30,12 +38,23 @@ struct Waiting {
 impl Pool {
     /// Starts the threads; `wake` is called after each task.
     pub fn new(wake: impl Fn() + Send + Sync + 'static) -> Pool {
-        let queue = Arc::new(Queue { tasks: Mutex::default(), more: Condvar::new(), wake: Box::new(wake) });
+        let cores = rayon::ThreadPoolBuilder::new().start_handler(|_| step_back()).build().ok();
+        let queue = Arc::new(Queue { tasks: Mutex::default(), more: Condvar::new(), cores, wake: Box::new(wake) });
         for _ in 0..THREADS {
             let queue = queue.clone();
-            std::thread::spawn(move || queue.work());
+            std::thread::spawn(move || {
+                step_back();
+                queue.work();
+            });
         }
         Pool { queue }
+    }
+}
+
+/// Lowers the priority of this thread. Where the system does not let it the work is done all the same.
+fn step_back() {
+    if let Ok(priority) = PRIORITY.try_into() {
+        let _ = set_current_thread_priority(ThreadPriority::Crossplatform(priority));
     }
 }
 
@@ -61,7 +80,10 @@ impl Drop for Pool {
 impl Queue {
     fn work(&self) {
         while let Some(task) = self.next() {
-            task.run();
+            match &self.cores {
+                Some(cores) => cores.install(|| task.run()),
+                None => task.run(),
+            }
             (self.wake)();
         }
     }

@@ -107,10 +107,12 @@ impl Pipeline {
         self.keys().map(|keys| keys.setup)
     }
 
-    /// Lines of the job that was synced last, while its plan is not there.
+    /// Lines of the job that was synced last, while its plan is not there; until they are there, those of a job before it
+    /// on the same surfaces.
     pub fn lines(&self) -> Option<(Digest, &Arc<Vec<Arc<Toolpath>>>)> {
         let key = self.keys()?.plan;
-        self.lines.of(key).filter(|_| self.plan.of(key).is_none()).map(|lines| (key, lines))
+        let is_current = |of: Digest| of == key || self.lines.is_running();
+        self.lines.arrived().filter(|(of, _)| is_current(*of) && self.plan.of(key).is_none())
     }
 
     /// The plan of the job that was synced last: what may be called proven, and exported.

@@ -5,6 +5,7 @@
 //! what belongs together. `syncing` takes and starts work, `current` tells what there is.
 
 mod current;
+mod line_stage;
 mod scan_stages;
 mod syncing;
 mod weld_stages;
@@ -17,7 +18,6 @@ use super::planned::PlannedJob;
 use super::pool::AtOnce;
 use super::stage::Stage;
 use super::surface_plan::PlanCache;
-use super::toolpath::Toolpath;
 use crate::beam::Tool;
 use crate::cell::{Cell, Robot, Setup};
 use crate::document::Job;
@@ -25,6 +25,7 @@ use crate::document::files::JobError;
 use crate::document::model::JobPart;
 use crate::document::stamps::Stamps;
 use crate::part::{Digest, Part, Source, Surfaces};
+use line_stage::LineStage;
 use scan_stages::ScanStages;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
@@ -71,7 +72,7 @@ pub struct Pipeline {
     /// By the key of the cell, which is made of the robot's name as well.
     robot: Stage<Option<Robot>, Arc<JobError>>,
     setup: Stage<Setup, Arc<JobError>>,
-    lines: Stage<Vec<Arc<Toolpath>>, PlanError>,
+    lines: LineStage,
     /// Whether lines are wanted ahead of the plan.
     with_lines: bool,
     plan: Stage<PlannedJob, PlanError>,
@@ -97,7 +98,7 @@ impl Pipeline {
             cell: Stage::default(),
             robot: Stage::default(),
             setup: Stage::default(),
-            lines: Stage::default(),
+            lines: LineStage::default(),
             with_lines,
             plan: Stage::default(),
         }

@@ -148,7 +148,7 @@ impl Pipeline {
             self.plan.only(keys.plan);
             return;
         }
-        let Some((part, surfaces)) = self.surfaces() else { return };
+        let Some((on, (part, surfaces))) = self.surfaces_key().zip(self.surfaces()) else { return };
         let (part, surfaces) = (part.clone(), surfaces.clone());
         if job.chosen(&surfaces).is_empty() && surfaces.worked.is_none() {
             self.lines.clear();
@@ -160,9 +160,9 @@ impl Pipeline {
         if self.with_lines && self.lines.lacks(keys.plan) {
             let (part, surfaces, job, cache) = (part.clone(), surfaces.clone(), job.clone(), self.cache.clone());
             self.plan.only(keys.plan);
-            self.lines.start(keys.plan, Activity::LayingLines, &*self.executor, move |progress| {
-                Ok(preview(&part, &surfaces, &job, &cache, progress)?)
-            });
+            let of = (on, keys.plan);
+            self.lines
+                .start(of, &*self.executor, move |progress| Ok(preview(&part, &surfaces, &job, &cache, progress)?));
         }
         let is_laid = !self.with_lines || !self.lines.is_running();
         let weld_report = keys.weld_report.and_then(|report| self.weld.reported.of(report)).cloned();
