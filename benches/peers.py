@@ -169,6 +169,14 @@ def program(clearbeam, path, folder):
     yield "clearbeam plan, 0.5 mm", [*plan, "0.5"]
 
 
+def growth(of_stages):
+    """By which power of the facets the time of each stage grows: the slope of a straight line through the logarithms."""
+    for stage, points in of_stages.items():
+        if len(points) > 1:
+            facets, ms = np.log([p[0] for p in points]), np.log([p[1] for p in points])
+            yield stage, float(np.polyfit(facets, ms, 1)[0])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("bench", help="the program of the bench")
@@ -178,6 +186,7 @@ def main():
     unknown = [s for s in arguments.sizes if s not in SIZES]
     if unknown:
         sys.exit(f"{unknown[0]}: give 10k, 100k or 1M")
+    of_stages = {}
     print("| stage | facets | clearbeam | peer | clearbeam / peer |\n|---|---|---|---|---|", flush=True)
     for size in arguments.sizes or SIZES:
         with tempfile.TemporaryDirectory() as folder:
@@ -191,13 +200,18 @@ def main():
                     for name, work in works:
                         theirs[name].append(timed_ms(work))
                 own = statistics.median(ours)
+                of_stages.setdefault(stage, []).append((len(triangles), own))
                 name, best = min(((n, statistics.median(t)) for n, t in theirs.items()), key=lambda pair: pair[1])
                 print(f"| {stage} | {size} | {own:.3g} | {best:.3g} {name} | {own / best:.2f} |", flush=True)
             for name, words in program(arguments.clearbeam, path, folder) if arguments.clearbeam else ():
                 command = [arguments.clearbeam, *words]
                 quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
                 ms = statistics.median(timed_ms(lambda: subprocess.run(command, **quiet)) for _ in range(TURNS))
+                of_stages.setdefault(name, []).append((len(triangles), ms))
                 print(f"| {name} | {size} | {ms:.0f} | – | |", flush=True)
+    print("\n| stage | time grows as facets to the power of |\n|---|---|")
+    for stage, power in growth(of_stages):
+        print(f"| {stage} | {power:.2f} |")
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ use clearbeam::picture::patches::{PatchOutline, outlines};
 use clearbeam::picture::{DeviationScale, ScanLook, ScanPicture};
 use clearbeam::scan::Cloud;
 use clearbeam::view::{
-    Bounds, Camera, CloudDetail, CloudItem, MeshItem, Projection, Renderer, Scene, StandardView, ViewSize, Viewport,
+    Bounds, Camera, CloudItem, Detail, MeshItem, Projection, Renderer, Scene, StandardView, ViewSize, Viewport,
 };
 use common::glow_renderer::{GlowTestRenderer, thread_gl};
 use eframe::egui::{self, Event, Modifiers, PointerButton, Pos2, Vec2};
@@ -131,7 +131,7 @@ fn dots_grow_with_the_displays_scale_and_a_little_with_zoom() {
         let mut camera = camera(StandardView::Front, 20.0, SIZE_PX);
         camera.projection = Projection::Parallel;
         camera.distance_mm /= zoom;
-        let detail = CloudDetail { px_per_point, thinned: false };
+        let detail = Detail { px_per_point, thinned: false };
         renderer.draw_in_detail(&scene, &camera, SIZE_PX, detail).expect("draws");
         let picture = renderer.read_rgba();
         // The middle one alone, by the light it gives: it may lie between pixels.
@@ -159,7 +159,7 @@ fn colours_travel_alone_and_turning_uploads_nothing() {
     let whole = drawn(&mut renderer, &scene, &camera);
     assert_eq!(renderer.upload_count(), 2);
     assert!(renderer.thins(&scene));
-    let moving = CloudDetail { thinned: true, ..CloudDetail::default() };
+    let moving = Detail { thinned: true, ..Detail::default() };
     assert!(renderer.draw_in_detail(&scene, &camera, SIZE_PX, moving).expect("draws"), "another picture");
     assert!(!renderer.draw_in_detail(&scene, &camera, SIZE_PX, moving).expect("draws"), "the same again");
     for _ in 0..5 {
@@ -189,7 +189,7 @@ fn fewer_points_cover_the_part_as_evenly_as_all() {
     let scene = Scene { clouds: vec![cloud(sphere(600_000, 20.0))], ..Scene::default() };
     let camera = camera(StandardView::Iso, 20.0, SIZE_PX);
     let whole = drawn(&mut renderer, &scene, &camera);
-    let moving = CloudDetail { thinned: true, ..CloudDetail::default() };
+    let moving = Detail { thinned: true, ..Detail::default() };
     renderer.draw_in_detail(&scene, &camera, SIZE_PX, moving).expect("draws");
     let thinned = renderer.read_rgba();
     save(&whole, "cloud_whole.png");
@@ -409,7 +409,7 @@ fn figures() {
         println!("{count} points, first picture: {wall_ms:.0} ms, {:.0} ms of processor", cpu_ms() - before);
         for (zoom, thinned) in [(1.0, true), (1.0, false), (4.0, true), (4.0, false)] {
             camera.distance_mm /= zoom;
-            let detail = CloudDetail { px_per_point: 1.0, thinned };
+            let detail = Detail { px_per_point: 1.0, thinned };
             let (started, before, rounds) = (Instant::now(), cpu_ms(), 10);
             for _ in 0..rounds {
                 camera.orbit(5.0, 1.0);

@@ -165,8 +165,7 @@ impl<'a> Context<'a> {
 
     /// The box around all that is shown.
     pub fn whole_bounds(self) -> Option<Bounds> {
-        let (min, max) = self.derived.part.as_ref()?.mesh.bounds();
-        let part = Bounds { min, max };
+        let part = self.derived.picture.as_ref()?.bounds;
         let (true, Some(cell), Some(placed)) = (self.is_in_cell(), self.cell_picture(), self.placed()) else {
             return Some(part);
         };

@@ -55,7 +55,7 @@ impl App {
         let is_same = d.file_part.as_ref().zip(file_part.as_ref()).is_some_and(|(one, other)| Arc::ptr_eq(one, other));
         self.session.fit_pending |= !is_same;
         d.file_part = file_part;
-        d.picture = Some(PartPicture::new(&part, &surfaces));
+        d.picture = Some(PartPicture::new(&part, &surfaces, d.picture.as_ref()));
         let there = |n: &u32| surfaces.get(*n).is_some();
         self.session.selected.retain(there);
         self.session.hidden.retain(there);
@@ -167,7 +167,7 @@ impl App {
         }
         let shown = d.plan_on_part().into_iter().flat_map(|planned| &planned.plan.surfaces);
         let shown = shown.filter(|s| s.toolpath.layer == 0).map(|s| Arc::as_ptr(&s.toolpath));
-        d.laid = (!shown.eq(laid.iter().map(Arc::as_ptr))).then(|| (key, paths::toolpath_item(laid)));
+        d.laid = (!shown.eq(laid.iter().map(Arc::as_ptr))).then(|| (key, paths::toolpath_item(laid, key.0 as u64)));
     }
 
     /// Works out the motion of the newest plan.

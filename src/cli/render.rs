@@ -77,7 +77,7 @@ pub fn run(a: &RenderArguments) -> Result<CommandOutcome, CommandFailure> {
         // Nobody can have cancelled it.
         let part = built.unwrap_or_default();
         let surfaces = segmented(&part, &job);
-        let item = PartPicture::new(&part, &surfaces).item(&surfaces, &PartLook::default());
+        let item = PartPicture::new(&part, &surfaces, None).item(&surfaces, &PartLook::default());
         (Scene { meshes: vec![item], ..Scene::default() }, None, part.mesh.bounds())
     };
     let gl = HeadlessGl::new().map_err(CommandFailure::failed)?;
@@ -100,7 +100,7 @@ fn planned_scene(planned: &PlannedJob, color: Color) -> Result<(Scene, Option<Le
     let Color::Dose(look) = color else { return Ok((part_with_lines(planned).0, None)) };
     let PlannedJob { part, surfaces, plan, job, setup, .. } = planned;
     let map = planning::dose(part, surfaces, plan, job, setup, &Progress::default()).map_err(CommandFailure::failed)?;
-    let edges = PartPicture::new(part, surfaces).item(surfaces, &PartLook::default()).edges;
+    let edges = PartPicture::new(part, surfaces, None).item(surfaces, &PartLook::default()).edges;
     let item = MeshItem { edges, ..dose_item(&map, surfaces, look) };
     Ok((Scene { meshes: vec![item], ..Scene::default() }, Some(legend(&map, look))))
 }

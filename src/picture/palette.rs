@@ -74,10 +74,11 @@ pub mod scan {
 pub struct Palette(BTreeMap<u32, usize>);
 
 impl Palette {
-    /// Gives each surface the least used colour that no neighbour with a lower number has.
-    pub fn new(mesh: &Mesh, surfaces: &Surfaces) -> Palette {
+    /// Gives each surface the least used colour that no neighbour with a lower number has; neighbours meet at one of
+    /// the edges `creases`.
+    pub fn new(mesh: &Mesh, surfaces: &Surfaces, creases: &[u32]) -> Palette {
         let mut neighbours: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
-        for e in 0..mesh.edges.len() as u32 {
+        for &e in creases {
             for pair in mesh.edge_facets(e).windows(2) {
                 let (a, b) = (surfaces.of_facet[pair[0] as usize], surfaces.of_facet[pair[1] as usize]);
                 if a != b {
@@ -122,7 +123,8 @@ mod tests {
         let dihedral = dihedral_angles(&mesh);
         let rule = SurfaceRule { angle_deg: 20.0, min_area_mm2: 0.0, hysteresis_deg: 0.0 };
         let surfaces = Surfaces::new(&mesh, &MergeTree::new(&mesh, &dihedral), &dihedral, &rule, &[], &[]);
-        let palette = Palette::new(&mesh, &surfaces);
+        let all: Vec<u32> = (0..mesh.edges.len() as u32).collect();
+        let palette = Palette::new(&mesh, &surfaces, &all);
         for s in &surfaces.list {
             for n in surfaces.neighbours(&mesh, s.number) {
                 assert_ne!(palette.color(s.number, false), palette.color(n, false));

@@ -1,10 +1,12 @@
 //! The part: facets in the colours of their surfaces, creases as lines.
 
 use super::palette::{Palette, Rgb, mixed, scan, state};
-use crate::part::{Hasher, Mesh, Part, Surfaces};
-use crate::view::{Bounds, MeshItem};
+use crate::part::surfaces::Surface;
+use crate::part::{Digest, Hasher, Mesh, Part, Surfaces};
+use crate::view::{Bounds, MeshEdges, MeshItem};
 use nalgebra::{Isometry3, Point3};
-use std::collections::BTreeSet;
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// How surfaces are shown.
@@ -31,9 +33,12 @@ pub struct PartLook {
 /// The part's buffers, kept while part and surfaces stay.
 #[derive(Clone, Debug)]
 pub struct PartPicture {
-    key: u64,
+    /// Of the facets, whichever surfaces they are in.
+    key: Digest,
     positions: Arc<Vec<[f32; 3]>>,
-    edges: Arc<Vec<[[f32; 3]; 2]>>,
+    /// Of the surfaces.
+    surfaces_key: Digest,
+    edges: MeshEdges,
     palette: Palette,
     /// The box around the part, mm.
     pub bounds: Bounds,
@@ -44,20 +49,20 @@ fn f32s(p: &Point3<f64>) -> [f32; 3] {
 }
 
 impl PartPicture {
-    /// Builds the buffers.
-    pub fn new(part: &Part, surfaces: &Surfaces) -> PartPicture {
+    /// Builds the buffers; those of the facets are taken over from a picture of the same part.
+    pub fn new(part: &Part, surfaces: &Surfaces, before: Option<&PartPicture>) -> PartPicture {
         let mesh = &part.mesh;
-        let key = Hasher::default().digest(part.digest).u32s(&surfaces.of_facet).finish();
-        let apart_mm = SIDES_APART * mesh.diagonal();
-        let shown = |f: usize| shown_corners(mesh, f, apart_mm);
-        let positions = (0..mesh.facets.len()).flat_map(shown).map(|p| f32s(&p)).collect();
-        let edges = creases(mesh, surfaces);
+        let before = before.filter(|before| before.key == part.digest);
+        let surfaces_key = Hasher::default().digest(part.digest).u32s(&surfaces.of_facet).finish();
+        let creases = creases(mesh, surfaces);
+        let lines = creases.iter().map(|&e| mesh.edges[e as usize].map(|v| f32s(&mesh.vertices[v as usize]))).collect();
         let (min, max) = mesh.bounds();
         PartPicture {
-            key: key.0 as u64,
-            positions: Arc::new(positions),
-            edges: Arc::new(edges),
-            palette: Palette::new(mesh, surfaces),
+            key: part.digest,
+            positions: before.map_or_else(|| Arc::new(shown_positions(mesh)), |before| before.positions.clone()),
+            surfaces_key,
+            edges: MeshEdges { key: surfaces_key.0 as u64, lines: Arc::new(lines) },
+            palette: Palette::new(mesh, surfaces, &creases),
             bounds: Bounds { min, max },
         }
     }
@@ -69,7 +74,18 @@ impl PartPicture {
 
     /// The part under a look.
     pub fn item(&self, surfaces: &Surfaces, look: &PartLook) -> MeshItem {
-        let mut colors: Vec<[u8; 4]> = surfaces.of_facet.iter().map(|&n| self.facet_color(n, look)).collect();
+        let chosen: BTreeSet<u32> = look.chosen.iter().copied().collect();
+        let of_surface = |s: &Surface| (s.number, self.surface_color(s.number, chosen.contains(&s.number), look));
+        let of_surface: BTreeMap<u32, [u8; 4]> = surfaces.list.iter().map(of_surface).collect();
+        let named: Vec<u32> = of_surface.iter().flat_map(|(&n, &color)| [n, u32::from_le_bytes(color)]).collect();
+        let counts = [look.missed.len(), look.left_out.len()].map(|count| count as u32);
+        let key = Hasher::default().digest(self.surfaces_key).u32s(&named);
+        let key = key.u32s(&counts).u32s(&look.missed).u32s(&look.left_out).finish();
+        // By number: a look-up in a map for each of a million facets would be seen.
+        let mut by_number = vec![[0; 4]; of_surface.last_key_value().map_or(0, |(n, _)| *n as usize + 1)];
+        of_surface.iter().for_each(|(&n, &color)| by_number[n as usize] = color);
+        let color_of = |n: &u32| by_number.get(*n as usize).copied().unwrap_or_default();
+        let mut colors: Vec<[u8; 4]> = surfaces.of_facet.par_iter().map(color_of).collect();
         for &f in look.missed.iter() {
             if let Some(c) = colors.get_mut(f as usize).filter(|c| c[3] > 0) {
                 let [r, g, b] = mixed([c[0], c[1], c[2]], state::MISSED, 0.7);
@@ -82,20 +98,18 @@ impl PartPicture {
                 *c = [r, g, b, c[3]];
             }
         }
-        let flat: Vec<u32> = colors.iter().map(|c| u32::from_le_bytes(*c)).collect();
-        let nothing_hidden = colors.iter().all(|c| c[3] > 0);
+        let nothing_hidden = of_surface.values().all(|color| color[3] > 0);
         MeshItem {
-            geometry_key: if nothing_hidden { self.key } else { self.key ^ 1 },
+            geometry_key: self.key.0 as u64,
             positions: self.positions.clone(),
-            colors_key: Hasher::default().u32s(&flat).finish().0 as u64,
+            colors_key: key.0 as u64,
             facet_colors: Arc::new(colors),
             edges: nothing_hidden.then(|| self.edges.clone()),
             scene_from_item: Isometry3::identity(),
         }
     }
 
-    fn facet_color(&self, surface: u32, look: &PartLook) -> [u8; 4] {
-        let chosen = look.chosen.contains(&surface);
+    fn surface_color(&self, surface: u32, chosen: bool, look: &PartLook) -> [u8; 4] {
         if look.hidden.contains(&surface) || (look.hide_chosen && chosen) {
             return [0; 4];
         }
@@ -120,6 +134,12 @@ impl PartPicture {
 /// show through the other. A hundredth of a pixel or so.
 const SIDES_APART: f64 = 1e-5;
 
+fn shown_positions(mesh: &Mesh) -> Vec<[f32; 3]> {
+    let apart_mm = SIDES_APART * mesh.diagonal();
+    let shown = |facet: usize| shown_corners(mesh, facet, apart_mm).map(|p| f32s(&p));
+    (0..mesh.facets.len()).into_par_iter().flat_map_iter(shown).collect()
+}
+
 fn shown_corners(mesh: &Mesh, facet: usize, apart_mm: f64) -> [Point3<f64>; 3] {
     let corners = mesh.corners(facet);
     match mesh.back_of(facet as u32) {
@@ -129,13 +149,11 @@ fn shown_corners(mesh: &Mesh, facet: usize, apart_mm: f64) -> [Point3<f64>; 3] {
 }
 
 /// Edges between surfaces, and open ones.
-fn creases(mesh: &Mesh, surfaces: &Surfaces) -> Vec<[[f32; 3]; 2]> {
-    (0..mesh.edges.len())
-        .filter(|&e| {
-            let mut pairs = mesh.pairs(e as u32).peekable();
-            let parts = |[f, g]: [u32; 2]| surfaces.of_facet[f as usize] != surfaces.of_facet[g as usize];
-            pairs.peek().is_none() || pairs.any(parts)
-        })
-        .map(|e| mesh.edges[e].map(|v| f32s(&mesh.vertices[v as usize])))
-        .collect()
+fn creases(mesh: &Mesh, surfaces: &Surfaces) -> Vec<u32> {
+    let parts = |[f, g]: [u32; 2]| surfaces.of_facet[f as usize] != surfaces.of_facet[g as usize];
+    let is_crease = |e: &u32| {
+        let mut pairs = mesh.pairs(*e).peekable();
+        pairs.peek().is_none() || pairs.any(parts)
+    };
+    (0..mesh.edges.len() as u32).into_par_iter().filter(is_crease).collect()
 }

@@ -97,8 +97,8 @@ pub fn paths(plan: &Plan, look: &PathLook, key: u64) -> Vec<LineItem> {
     items
 }
 
-/// Draws lines that are laid, and not planned yet.
-pub fn toolpath_item(lines: &[Arc<Toolpath>]) -> LineItem {
+/// Draws lines that are laid, and not planned yet; `key` names them.
+pub fn toolpath_item(lines: &[Arc<Toolpath>], key: u64) -> LineItem {
     let points = lines.iter().flat_map(|l| &l.lines);
     let segments: Vec<LineSegment> = points
         .flat_map(|line| {
@@ -107,9 +107,6 @@ pub fn toolpath_item(lines: &[Arc<Toolpath>]) -> LineItem {
         })
         .map(|(a, b)| segment(a.p, b.p, state::LAID))
         .collect();
-    let ends = |s: &LineSegment| s.a.into_iter().chain(s.b).map(f64::from);
-    let all: Vec<f64> = segments.iter().flat_map(ends).collect();
-    let key = Hasher::default().f64s(&all).finish().0 as u64;
     let (depth, scene_from_item) = (Depth::Tested, Isometry3::identity());
     LineItem { key, segments: Arc::new(segments), width_px: 1.4, depth, scene_from_item }
 }

@@ -41,7 +41,9 @@ pub fn part_with_lines(planned: &PlannedJob) -> (Scene, Bounds) {
     let chosen = job.chosen(surfaces);
     let path_look = PathLook { lines: true, frame_mm: 0.02 * part.mesh.diagonal(), ..PathLook::default() };
     let mut scene = Scene { lines: paths(plan, &path_look, 1), ..Scene::default() };
-    scene.meshes.push(PartPicture::new(part, surfaces).item(surfaces, &PartLook { chosen, ..PartLook::default() }));
+    scene
+        .meshes
+        .push(PartPicture::new(part, surfaces, None).item(surfaces, &PartLook { chosen, ..PartLook::default() }));
     let (min, max) = part.mesh.bounds();
     (scene, Bounds { min, max })
 }

@@ -52,19 +52,3 @@ impl CloudItem {
         [self.geometry_key, self.colors_key, sizes, u64::from(self.fades)]
     }
 }
-
-/// How clouds are drawn this time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CloudDetail {
-    /// Pixels a point of the display.
-    pub px_per_point: f32,
-    /// Only so many points as can be drawn again at once, because the camera moves; the whole picture is coarser then.
-    pub thinned: bool,
-}
-
-impl Default for CloudDetail {
-    /// All points, at a scale of 1.
-    fn default() -> Self {
-        Self { px_per_point: 1.0, thinned: false }
-    }
-}

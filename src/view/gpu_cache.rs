@@ -18,7 +18,6 @@ pub(super) struct GpuCache {
     pub geometry: HashMap<u64, MeshGeometry>,
     /// By geometry and colour key.
     pub colors: HashMap<(u64, u64), MeshColors>,
-    /// By geometry key.
     pub edges: HashMap<u64, Lines>,
     pub lines: HashMap<u64, Lines>,
     pub dots: HashMap<u64, Dots>,
@@ -46,24 +45,25 @@ impl GpuCache {
         }
     }
 
-    /// Brings the buffers in line with the scene: uploads what is missing, drops what is no longer in it.
-    pub fn follow(&mut self, scene: &Scene) {
+    /// Brings the buffers in line with the scene: uploads what is missing, drops what is no longer in it. A mesh of more
+    /// facets than a moving camera may see has a coarser one beside it.
+    pub fn follow(&mut self, scene: &Scene, moving_facets: usize) {
         self.drop_unused(scene);
         self.follow_clouds(scene);
         let Self { context, geometry, colors, edges, lines, dots, indices, uploads, .. } = self;
         for item in &scene.meshes {
-            geometry.entry(item.geometry_key).or_insert_with(|| {
+            let shape = geometry.entry(item.geometry_key).or_insert_with(|| {
                 *uploads += 1;
-                MeshGeometry::upload(context, item)
+                MeshGeometry::upload(context, item, moving_facets)
             });
             colors.entry(color_key(item)).or_insert_with(|| {
                 *uploads += 1;
-                MeshColors::upload(context, item)
+                MeshColors::upload(context, item, shape)
             });
             if let Some(creases) = &item.edges {
-                edges.entry(item.geometry_key).or_insert_with(|| {
+                edges.entry(creases.key).or_insert_with(|| {
                     *uploads += 1;
-                    let dark = creases.iter().map(|&[a, b]| LineSegment { a, b, color: EDGE_COLOR });
+                    let dark = creases.lines.iter().map(|&[a, b]| LineSegment { a, b, color: EDGE_COLOR });
                     Lines::upload(context, dark, indices)
                 });
             }
@@ -101,6 +101,7 @@ impl GpuCache {
         let meshes = || scene.meshes.iter();
         let shown: HashSet<_> = meshes().map(|item| item.geometry_key).collect();
         self.geometry.retain(|key, _| shown.contains(key));
+        let shown: HashSet<_> = meshes().filter_map(|item| Some(item.edges.as_ref()?.key)).collect();
         self.edges.retain(|key, _| shown.contains(key));
         let shown: HashSet<_> = meshes().map(color_key).collect();
         self.colors.retain(|key, _| shown.contains(key));

@@ -1,6 +1,7 @@
 //! Clouds on the graphics card: places once, colours whenever they change, in an order whose first points stand for all.
 
-use super::cloud::{CloudDetail, CloudItem};
+use super::cloud::CloudItem;
+use super::detail::{Budget, Detail};
 use super::error::{DriverObject, ViewError};
 use super::gpu_strokes::bias_px;
 use super::scene::Rgba;
@@ -9,11 +10,6 @@ use super::to_three_d::CameraUniforms;
 use three_d::context::{self as gl, HasContext as _};
 use three_d::{Context, DepthTest, Program, RenderStates, Vec2, Vec3, Vec4, VertexBuffer, Viewport};
 
-/// Points that a moving camera may see where a processor stands in for the graphics card: on two cores a picture of
-/// 1600 × 1000 takes 37 ms with them, and 380 ms with a million (`figures` in `tests/cloud.rs`).
-const MOVING_IN_SOFTWARE: u32 = 125_000;
-/// The same on a graphics card: any of the last ten years draws so many twenty times a second.
-const MOVING_IN_HARDWARE: u32 = 4_000_000;
 /// How much a dot grows at most by zooming in: more would be tiles.
 const LARGEST_GROWTH: f64 = 4.0;
 /// How much it grows at most to close the gaps between fewer points.
@@ -88,8 +84,6 @@ impl CloudColors {
 pub(super) struct CloudProgram {
     context: Context,
     program: Program,
-    /// Points that a moving camera may see.
-    moving_at_most: u32,
 }
 
 impl CloudProgram {
@@ -97,17 +91,7 @@ impl CloudProgram {
         let [vertex, fragment] = [include_str!("shaders/cloud.vert"), include_str!("shaders/cloud.frag")];
         let program = Program::from_source(context, vertex, fragment)
             .map_err(|error| ViewError::Driver { what: DriverObject::CloudShader, reason: error.to_string() })?;
-        // SAFETY: a query only.
-        let name = unsafe { context.get_parameter_string(gl::RENDERER) }.to_lowercase();
-        let in_software = ["llvmpipe", "softpipe", "swiftshader", "gdi generic", "basic render"];
-        let is_software = in_software.iter().any(|renderer| name.contains(renderer));
-        let moving_at_most = if is_software { MOVING_IN_SOFTWARE } else { MOVING_IN_HARDWARE };
-        Ok(Self { context: context.clone(), program, moving_at_most })
-    }
-
-    /// Whether a moving camera sees fewer points of a scene with so many.
-    pub fn thins(&self, all: u64) -> bool {
-        all > u64::from(self.moving_at_most)
+        Ok(Self { context: context.clone(), program })
     }
 
     /// Draws one cloud of a scene with `all` points.
@@ -116,11 +100,11 @@ impl CloudProgram {
         item: &CloudItem,
         places: &CloudPlaces,
         colors: &CloudColors,
-        (detail, all): (CloudDetail, u64),
+        (detail, budget, all): (Detail, Budget, u64),
         camera: &CameraUniforms,
         viewport: Viewport,
     ) {
-        let drawn = places.drawn(detail.thinned.then_some((self.moving_at_most, all)));
+        let drawn = places.drawn(detail.thinned.then_some((budget.points, all)));
         if drawn == 0 {
             return;
         }

@@ -1,21 +1,32 @@
-//! Facets on the graphics card: positions and normals once, colours whenever they change.
+//! Facets on the graphics card: positions and normals once, colours whenever they change; and fewer of them for a
+//! camera that moves.
 
+use super::coarse::CoarseMesh;
+use super::detail::Detail;
 use super::error::{DriverObject, ViewError};
 use super::scene::{MeshItem, Rgba};
 use super::to_three_d::CameraUniforms;
+use rayon::prelude::*;
 use three_d::{Blend, Context, DepthTest, Program, RenderStates, Vec4, VertexBuffer, Viewport, WriteMask};
 
 /// Positions and normals of one `geometry_key`.
 pub(super) struct MeshGeometry {
+    whole: Corners,
+    /// What a moving camera sees of it, where that is less, and which facets these are.
+    coarse: Option<(Corners, Vec<u32>)>,
+}
+
+struct Corners {
     positions: VertexBuffer<[f32; 3]>,
     /// One 10-10-10-bit normal per corner: a quarter of the memory of three floats.
     normals: VertexBuffer<u32>,
-    corner_count: u32,
+    count: u32,
 }
 
 /// Colours of one `colors_key` on that geometry.
 pub(super) struct MeshColors {
-    colors: VertexBuffer<Rgba>,
+    whole: VertexBuffer<Rgba>,
+    coarse: Option<VertexBuffer<Rgba>>,
     has_opaque: bool,
     has_see_through: bool,
     /// One colour per corner.
@@ -30,34 +41,50 @@ pub(super) enum DrawPass {
 }
 
 impl MeshGeometry {
-    pub fn upload(context: &Context, item: &MeshItem) -> Self {
+    /// Uploads a mesh, and where it has more facets than a moving camera may see, a coarser one.
+    pub fn upload(context: &Context, item: &MeshItem, moving_facets: usize) -> Self {
         let corners = &item.positions[..item.facet_count() * 3];
-        let normals: Vec<u32> =
-            corners.chunks_exact(3).flat_map(|facet| [packed_normal(facet[0], facet[1], facet[2]); 3]).collect();
+        let coarse = (item.facet_count() > moving_facets).then(|| CoarseMesh::of(corners, moving_facets));
+        Self {
+            whole: Corners::upload(context, corners),
+            coarse: coarse.map(|coarse| (Corners::upload(context, &coarse.positions), coarse.facets)),
+        }
+    }
+}
+
+impl Corners {
+    fn upload(context: &Context, corners: &[[f32; 3]]) -> Self {
+        let normals: Vec<u32> = corners
+            .par_chunks_exact(3)
+            .flat_map_iter(|facet| [packed_normal(facet[0], facet[1], facet[2]); 3])
+            .collect();
         Self {
             positions: VertexBuffer::new_with_data(context, corners),
             normals: VertexBuffer::new_with_data(context, &normals),
-            corner_count: corners.len() as u32,
+            count: corners.len() as u32,
         }
     }
 }
 
 impl MeshColors {
-    pub fn upload(context: &Context, item: &MeshItem) -> Self {
+    pub fn upload(context: &Context, item: &MeshItem, geometry: &MeshGeometry) -> Self {
         // Facets without a colour are a mistake of the caller; they are shown in mid grey
         // rather than read beyond the end of the buffer.
         let (facets, given) = (item.facet_count(), &item.facet_colors);
         let run_together = given.len() == 3 * facets;
-        let filled = given.iter().copied().chain(std::iter::repeat([128, 128, 128, 255]));
-        let colors: Vec<Rgba> = match run_together {
-            true => filled.take(3 * facets).collect(),
-            false => filled.take(facets).flat_map(|color| [color; 3]).collect(),
-        };
+        let color = |at: usize| given.get(at).copied().unwrap_or([128, 128, 128, 255]);
+        let of_facet = |facet: usize| [0, 1, 2].map(|k| color(if run_together { 3 * facet + k } else { facet }));
+        let whole: Vec<Rgba> = (0..facets).into_par_iter().flat_map_iter(of_facet).collect();
+        let coarse = geometry.coarse.as_ref().map(|(_, kept)| {
+            let colors: Vec<Rgba> = kept.iter().flat_map(|&facet| of_facet(facet as usize)).collect();
+            VertexBuffer::new_with_data(context, &colors)
+        });
         Self {
             run_together,
-            has_opaque: colors.iter().any(|color| color[3] == 255),
-            has_see_through: colors.iter().any(|color| (1..255).contains(&color[3])),
-            colors: VertexBuffer::new_with_data(context, &colors),
+            has_opaque: whole.iter().any(|color| color[3] == 255),
+            has_see_through: whole.iter().any(|color| (1..255).contains(&color[3])),
+            whole: VertexBuffer::new_with_data(context, &whole),
+            coarse,
         }
     }
 }
@@ -83,7 +110,7 @@ impl MeshPrograms {
         &self,
         geometry: &MeshGeometry,
         colors: &MeshColors,
-        (pass, cut_in_item): (DrawPass, [f32; 4]),
+        ((pass, detail), cut_in_item): ((DrawPass, Detail), [f32; 4]),
         camera: &CameraUniforms,
         viewport: Viewport,
     ) {
@@ -101,7 +128,10 @@ impl MeshPrograms {
                 },
             ),
         };
-        if !wanted || geometry.corner_count == 0 {
+        let coarse = geometry.coarse.as_ref().zip(colors.coarse.as_ref()).filter(|_| detail.thinned);
+        let (corners, color) =
+            coarse.map_or((&geometry.whole, &colors.whole), |((corners, _), color)| (corners, color));
+        if !wanted || corners.count == 0 {
             return;
         }
         let program = if colors.run_together { &self.per_corner } else { &self.per_facet };
@@ -110,10 +140,10 @@ impl MeshPrograms {
         program.use_uniform("up_in_item", camera.up_in_item);
         program.use_uniform("cut_in_item", Vec4::from(cut_in_item));
         program.use_uniform("see_through", i32::from(pass == DrawPass::SeeThrough));
-        program.use_vertex_attribute("position", &geometry.positions);
-        program.use_vertex_attribute("packed_normal", &geometry.normals);
-        program.use_vertex_attribute("color", &colors.colors);
-        program.draw_arrays(states, viewport, geometry.corner_count);
+        program.use_vertex_attribute("position", &corners.positions);
+        program.use_vertex_attribute("packed_normal", &corners.normals);
+        program.use_vertex_attribute("color", color);
+        program.draw_arrays(states, viewport, corners.count);
     }
 }
 

@@ -26,6 +26,8 @@ pub mod viewport_response;
 pub mod widget;
 
 mod cloud_pick;
+mod coarse;
+mod detail;
 mod dragging;
 mod gl_state;
 mod gpu_cache;
@@ -41,8 +43,9 @@ mod to_three_d;
 
 pub use bounds::Bounds;
 pub use camera::Camera;
-pub use cloud::{CloudDetail, CloudItem, Places};
+pub use cloud::{CloudItem, Places};
 pub use cloud_pick::{CloudPick, cloud_point_at};
+pub use detail::Detail;
 pub use error::{DeviceAnswer, DriverObject, NoEgl, ViewError};
 pub use flight::Flight;
 pub use headless::HeadlessGl;
@@ -50,7 +53,7 @@ pub use lens::{Projection, ViewSize};
 pub use navigation::Navigation;
 pub use overlay::{AXIS_COLORS, CubeLabels};
 pub use renderer::Renderer;
-pub use scene::{Depth, LineItem, LineSegment, MeshCut, MeshItem, PointItem, Scene};
+pub use scene::{Depth, LineItem, LineSegment, MeshCut, MeshEdges, MeshItem, PointItem, Scene};
 pub use standard_view::StandardView;
 pub use viewport_response::ViewportResponse;
 pub use widget::Viewport;

@@ -6,7 +6,7 @@
 //! while the context still lives (eframe: in `App::on_exit`).
 
 use super::camera::Camera;
-use super::cloud::CloudDetail;
+use super::detail::{Budget, Detail};
 use super::error::{DriverObject, ViewError};
 use super::gl_state::SavedState;
 use super::gpu_cache::{GpuCache, cloud_color_key, color_key};
@@ -33,11 +33,13 @@ pub struct Renderer {
     meshes: MeshPrograms,
     strokes: StrokePrograms,
     clouds: CloudProgram,
+    /// What a moving camera may see.
+    budget: Budget,
     cache: GpuCache,
     largest_side_px: u32,
     target: Option<RenderTarget>,
     /// What the picture in `target` shows.
-    drawn: Option<(Vec<u64>, Camera, CloudDetail)>,
+    drawn: Option<(Vec<u64>, Camera, Detail)>,
 }
 
 impl std::fmt::Debug for Renderer {
@@ -72,6 +74,7 @@ impl Renderer {
             meshes: MeshPrograms::new(&context)?,
             strokes: StrokePrograms::new(&context)?,
             clouds: CloudProgram::new(&context)?,
+            budget: Budget::of(&context),
             cache: GpuCache::new(&context),
             largest_side_px,
             target: None,
@@ -86,15 +89,15 @@ impl Renderer {
     /// # Errors
     /// When the driver has no memory for a picture of this size.
     pub fn draw(&mut self, scene: &Scene, camera: &Camera, size_px: [u32; 2]) -> Result<bool, ViewError> {
-        self.draw_in_detail(scene, camera, size_px, CloudDetail::default())
+        self.draw_in_detail(scene, camera, size_px, Detail::default())
     }
 
-    /// Whether a moving camera sees fewer points of the scene than one at rest.
+    /// Whether a moving camera sees less of the scene than one at rest.
     pub fn thins(&self, scene: &Scene) -> bool {
-        self.clouds.thins(scene.cloud_points())
+        self.budget.thins(scene)
     }
 
-    /// Draws as [`Self::draw`] does, clouds as they are wanted this time.
+    /// Draws as [`Self::draw`] does, as much as is wanted this time.
     ///
     /// # Errors
     /// As [`Self::draw`].
@@ -103,15 +106,16 @@ impl Renderer {
         scene: &Scene,
         camera: &Camera,
         size_px: [u32; 2],
-        detail: CloudDetail,
+        detail: Detail,
     ) -> Result<bool, ViewError> {
         if size_px.contains(&0) {
             return Ok(false);
         }
         let size_px = size_px.map(|px| px.min(self.largest_side_px));
-        // Where no cloud shows it, detail makes no other picture.
-        let detail = if scene.clouds.is_empty() { CloudDetail::default() } else { detail };
-        let detail = CloudDetail { thinned: detail.thinned && self.thins(scene), ..detail };
+        // Where nothing shows it, detail makes no other picture.
+        let thinned = detail.thinned && self.thins(scene);
+        let px_per_point = if scene.clouds.is_empty() { 1.0 } else { detail.px_per_point };
+        let detail = Detail { px_per_point, thinned };
         let smoothing = if detail.thinned { Smoothing::One } else { Smoothing::Four };
         let fits = self.target.as_ref().is_some_and(|target| target.is(size_px, smoothing));
         let wanted = (scene.stamp(), *camera, detail);
@@ -125,7 +129,7 @@ impl Renderer {
             Some(target) => target,
             None => RenderTarget::new(&self.context, size_px, smoothing)?,
         };
-        self.cache.follow(scene);
+        self.cache.follow(scene, self.budget.facets);
         target.begin();
         self.draw_layers(scene, camera, size_px, detail);
         target.resolve();
@@ -161,17 +165,19 @@ impl Renderer {
         self.cache.uploads
     }
 
-    fn draw_layers(&self, scene: &Scene, camera: &Camera, [width_px, height_px]: [u32; 2], detail: CloudDetail) {
+    fn draw_layers(&self, scene: &Scene, camera: &Camera, [width_px, height_px]: [u32; 2], detail: Detail) {
         let size = ViewSize::new(f64::from(width_px), f64::from(height_px));
         let uniforms = CameraUniforms::new(camera, size);
         let viewport = Viewport::new_at_origo(width_px, height_px);
         self.draw_background(scene, viewport);
-        self.draw_meshes(scene, DrawPass::Opaque, &uniforms, viewport);
+        self.draw_meshes(scene, (DrawPass::Opaque, detail), &uniforms, viewport);
         self.draw_clouds(scene, detail, &uniforms, viewport);
-        self.draw_edges(scene, &uniforms, viewport);
+        if !detail.thinned || self.budget.shows_creases(scene) {
+            self.draw_edges(scene, &uniforms, viewport);
+        }
         self.draw_strokes(scene, Depth::Tested, &uniforms, viewport);
         // After all that can be seen through it.
-        self.draw_meshes(scene, DrawPass::SeeThrough, &uniforms, viewport);
+        self.draw_meshes(scene, (DrawPass::SeeThrough, detail), &uniforms, viewport);
         self.draw_strokes(scene, Depth::OnTop, &uniforms, viewport);
     }
 
@@ -185,7 +191,7 @@ impl Renderer {
         self.background.draw_arrays(states, viewport, 3);
     }
 
-    fn draw_meshes(&self, scene: &Scene, pass: DrawPass, camera: &CameraUniforms, viewport: Viewport) {
+    fn draw_meshes(&self, scene: &Scene, how: (DrawPass, Detail), camera: &CameraUniforms, viewport: Viewport) {
         for item in &scene.meshes {
             let geometry = self.cache.geometry.get(&item.geometry_key);
             let colors = self.cache.colors.get(&color_key(item));
@@ -193,27 +199,28 @@ impl Renderer {
                 let cut = scene.cut.filter(|cut| cut.geometry_key == item.geometry_key);
                 // A plane that everything is above of.
                 let cut = cut.map_or([0.0, 0.0, 0.0, 1.0], |cut| cut.plane);
-                self.meshes.draw(geometry, colors, (pass, cut), &camera.of_item(&item.scene_from_item), viewport);
+                self.meshes.draw(geometry, colors, (how, cut), &camera.of_item(&item.scene_from_item), viewport);
             }
         }
     }
 
-    fn draw_clouds(&self, scene: &Scene, detail: CloudDetail, camera: &CameraUniforms, viewport: Viewport) {
+    fn draw_clouds(&self, scene: &Scene, detail: Detail, camera: &CameraUniforms, viewport: Viewport) {
         let all = scene.cloud_points();
         for item in &scene.clouds {
             let places = self.cache.cloud_places.get(&item.geometry_key);
             let colors = self.cache.cloud_colors.get(&cloud_color_key(item));
             if let (Some(places), Some(colors)) = (places, colors) {
                 let camera = camera.of_item(&item.scene_from_item);
-                self.clouds.draw(item, places, colors, (detail, all), &camera, viewport);
+                self.clouds.draw(item, places, colors, (detail, self.budget, all), &camera, viewport);
             }
         }
     }
 
     fn draw_edges(&self, scene: &Scene, camera: &CameraUniforms, viewport: Viewport) {
         let indices = &self.cache.indices;
-        for item in scene.meshes.iter().filter(|item| item.edges.is_some()) {
-            if let Some(lines) = self.cache.edges.get(&item.geometry_key) {
+        for item in &scene.meshes {
+            let edges = item.edges.as_ref();
+            if let Some(lines) = edges.and_then(|edges| self.cache.edges.get(&edges.key)) {
                 let (tested, camera) = (Depth::Tested, camera.of_item(&item.scene_from_item));
                 self.strokes.draw_lines(lines, EDGE_WIDTH_PX, tested, &camera, viewport, indices);
             }

@@ -45,7 +45,7 @@ pub struct MeshCut {
 /// Triangles with one colour per facet, or per corner.
 #[derive(Debug, Clone)]
 pub struct MeshItem {
-    /// Names `positions` and `edges`.
+    /// Names `positions`.
     pub geometry_key: u64,
     /// Three corners per facet, counter-clockwise seen from outside, nothing shared: so a
     /// colour ends where its facet ends.
@@ -55,11 +55,19 @@ pub struct MeshItem {
     /// One colour per facet; or one per corner, which then run into each other. Alpha 0 hides the facet (all
     /// corners the same), alpha below 255 lets shine through (unsorted: meant for envelopes and beams, not for parts).
     pub facet_colors: Arc<Vec<Rgba>>,
-    /// Crease lines, drawn thin and dark over the facets. Switching between `None` and `Some`
-    /// needs no new key.
-    pub edges: Option<Arc<Vec<[[f32; 3]; 2]>>>,
+    /// Crease lines, drawn thin and dark over the facets.
+    pub edges: Option<MeshEdges>,
     /// Where it stands.
     pub scene_from_item: Isometry3<f64>,
+}
+
+/// Lines along edges of a mesh.
+#[derive(Debug, Clone)]
+pub struct MeshEdges {
+    /// Names `lines`.
+    pub key: u64,
+    /// Both ends of each, in the item's frame.
+    pub lines: Arc<Vec<[[f32; 3]; 2]>>,
 }
 
 /// One straight piece of a line, in one colour.
@@ -153,7 +161,10 @@ impl Scene {
             cut.flat_map(|cut| [cut.geometry_key].into_iter().chain(cut.plane.map(|c| u64::from(c.to_bits())))),
         );
         for mesh in &self.meshes {
-            stamp.extend([mesh.geometry_key, mesh.colors_key, u64::from(mesh.edges.is_some())]);
+            stamp.extend([mesh.geometry_key, mesh.colors_key]);
+            // Their number first, or keys could run into each other.
+            stamp.push(u64::from(mesh.edges.is_some()));
+            stamp.extend(mesh.edges.iter().map(|edges| edges.key));
             stamp.extend(place(&mesh.scene_from_item));
         }
         for line in &self.lines {
@@ -201,10 +212,11 @@ mod tests {
         let stamp = scene.stamp();
         assert_eq!(stamp, scene.clone().stamp());
 
-        let changes: [fn(&mut Scene); 7] = [
+        let changes: [fn(&mut Scene); 8] = [
             |s| s.cut = Some(MeshCut { geometry_key: 1, plane: [0.0, 0.0, 1.0, 2.0] }),
             |s| s.meshes[0].colors_key = 9,
-            |s| s.meshes[0].edges = Some(Arc::default()),
+            |s| s.meshes[0].edges = Some(MeshEdges { key: 0, lines: Arc::default() }),
+            |s| s.meshes[0].edges = Some(MeshEdges { key: 5, lines: Arc::default() }),
             |s| s.lines[0].width_px = 3.0,
             |s| s.lines[0].depth = Depth::OnTop,
             |s| s.background_top = [0; 3],

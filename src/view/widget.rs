@@ -6,7 +6,7 @@
 
 use super::bounds::Bounds;
 use super::camera::Camera;
-use super::cloud::CloudDetail;
+use super::detail::Detail;
 use super::dragging::Dragging;
 use super::error::ViewError;
 use super::flight::Flight;
@@ -50,6 +50,8 @@ pub struct Viewport {
     dragging: Dragging,
     flight: Option<Flight>,
     motion: Motion,
+    /// Less was drawn than there is, because something moves.
+    is_thinned: bool,
     moves: Vec<CameraMove>,
     size: Option<ViewSize>,
     drawing: Option<Arc<Mutex<Drawing>>>,
@@ -95,6 +97,7 @@ impl Viewport {
             dragging: Dragging::default(),
             flight: None,
             motion: Motion::default(),
+            is_thinned: false,
             moves: Vec::new(),
             size: None,
             drawing: None,
@@ -135,6 +138,11 @@ impl Viewport {
     /// A glide is under way or about to start.
     pub fn is_gliding(&self) -> bool {
         self.flight.is_some() || !self.moves.is_empty()
+    }
+
+    /// Whether the camera stands, and the whole scene was drawn.
+    pub fn is_at_rest(&self) -> bool {
+        !self.is_gliding() && !self.is_thinned
     }
 
     /// Size of the view when it was last shown.
@@ -182,6 +190,7 @@ impl Viewport {
         self.fly(ui);
 
         let thinned = self.thins(ui, scene);
+        self.is_thinned = thinned;
         self.paint(ui, scene, &frame, thinned);
         let cube = overlay::view_cube(ui, rect, &self.camera, &self.labels);
         overlay::triad(&ui.painter_at(rect), rect, &self.camera);
@@ -220,7 +229,7 @@ impl Viewport {
         if jump {
             self.camera = to;
             self.flight = None;
-            self.motion.jump(&to);
+            self.motion.jump();
         } else {
             self.flight = Some(Flight::new(self.camera, to, ui.input(|input| input.time)));
         }
@@ -274,9 +283,9 @@ impl Viewport {
         self.brush && !ui.input(|input| input.modifiers.command)
     }
 
-    /// Whether clouds are thinned in this frame because the camera moves; the one that shows them whole is asked for.
+    /// Whether less is drawn in this frame because something moves; the one that shows the whole scene is asked for.
     fn thins(&mut self, ui: &egui::Ui, scene: &Scene) -> bool {
-        let rest_in_s = self.motion.follow(&self.camera, ui.input(|input| input.time));
+        let rest_in_s = self.motion.follow(&self.camera, scene.stamp(), ui.input(|input| input.time));
         let Some((rest_in_s, drawing)) = rest_in_s.zip(self.drawing.as_ref()) else { return false };
         let thins = drawing.lock().unwrap_or_else(PoisonError::into_inner).renderer.thins(scene);
         if thins {
@@ -296,7 +305,7 @@ impl Viewport {
         let callback = egui_glow::CallbackFn::new(move |info, _painter| {
             let mut drawing = drawing.lock().unwrap_or_else(PoisonError::into_inner);
             let size_px = [size.width_px as u32, size.height_px as u32];
-            let detail = CloudDetail { px_per_point: info.pixels_per_point, thinned };
+            let detail = Detail { px_per_point: info.pixels_per_point, thinned };
             let drawn = drawing.renderer.draw_in_detail(&scene, &camera, size_px, detail);
             drawing.failure = drawn.err();
             // Not `info.viewport_in_pixels()`: that one shrinks at the window's edge.
