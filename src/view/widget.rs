@@ -50,8 +50,6 @@ pub struct Viewport {
     dragging: Dragging,
     flight: Option<Flight>,
     motion: Motion,
-    /// Less was drawn than there is, because something moves.
-    is_thinned: bool,
     moves: Vec<CameraMove>,
     size: Option<ViewSize>,
     drawing: Option<Arc<Mutex<Drawing>>>,
@@ -97,7 +95,6 @@ impl Viewport {
             dragging: Dragging::default(),
             flight: None,
             motion: Motion::default(),
-            is_thinned: false,
             moves: Vec::new(),
             size: None,
             drawing: None,
@@ -140,9 +137,9 @@ impl Viewport {
         self.flight.is_some() || !self.moves.is_empty()
     }
 
-    /// Whether the camera stands, and the whole scene was drawn.
+    /// Whether the camera stands.
     pub fn is_at_rest(&self) -> bool {
-        !self.is_gliding() && !self.is_thinned
+        !self.is_gliding()
     }
 
     /// Size of the view when it was last shown.
@@ -190,7 +187,6 @@ impl Viewport {
         self.fly(ui);
 
         let thinned = self.thins(ui, scene);
-        self.is_thinned = thinned;
         self.paint(ui, scene, &frame, thinned);
         let cube = overlay::view_cube(ui, rect, &self.camera, &self.labels);
         overlay::triad(&ui.painter_at(rect), rect, &self.camera);
@@ -285,7 +281,7 @@ impl Viewport {
 
     /// Whether less is drawn in this frame because something moves; the one that shows the whole scene is asked for.
     fn thins(&mut self, ui: &egui::Ui, scene: &Scene) -> bool {
-        let rest_in_s = self.motion.follow(&self.camera, scene.stamp(), ui.input(|input| input.time));
+        let rest_in_s = self.motion.follow(&self.camera, Vec::new(), ui.input(|input| input.time));
         let Some((rest_in_s, drawing)) = rest_in_s.zip(self.drawing.as_ref()) else { return false };
         let thins = drawing.lock().unwrap_or_else(PoisonError::into_inner).renderer.thins(scene);
         if thins {
