@@ -81,7 +81,7 @@ impl App {
             && !self.reviewing.is_running()
             && !self.packing.is_running()
             && self.answers.is_empty();
-        is_idle && self.derived.is_at_rest() && self.viewport.is_at_rest() && self.derived.is_current(&self.document)
+        is_idle && self.derived.is_at_rest() && !self.viewport.is_gliding() && self.derived.is_current(&self.document)
     }
 
     /// Sends an edit as a step of its own.

@@ -165,7 +165,7 @@ impl<'a> Context<'a> {
 
     /// What is shown of paths.
     pub fn path_look(self) -> PathLook {
-        let size = self.derived.picture.as_ref().map_or(100.0, |picture| 2.0 * picture.bounds.radius_mm());
+        let size = self.derived.part.as_ref().map_or(100.0, |p| p.mesh.diagonal());
         PathLook {
             // Where the spacing is shown its dots stand for the lines, and the dose lies under them.
             lines: self.session.show.is_on(Toggle::PathLines)

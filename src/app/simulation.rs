@@ -165,7 +165,8 @@ impl<'a> Context<'a> {
 
     /// The box around all that is shown.
     pub fn whole_bounds(self) -> Option<Bounds> {
-        let part = self.derived.picture.as_ref()?.bounds;
+        let (min, max) = self.derived.part.as_ref()?.mesh.bounds();
+        let part = Bounds { min, max };
         let (true, Some(cell), Some(placed)) = (self.is_in_cell(), self.cell_picture(), self.placed()) else {
             return Some(part);
         };

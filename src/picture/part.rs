@@ -6,7 +6,7 @@ use crate::part::{Digest, Hasher, Mesh, Part, Surfaces};
 use crate::view::{Bounds, MeshEdges, MeshItem};
 use nalgebra::{Isometry3, Point3};
 use rayon::prelude::*;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// How surfaces are shown.
@@ -75,17 +75,14 @@ impl PartPicture {
     /// The part under a look.
     pub fn item(&self, surfaces: &Surfaces, look: &PartLook) -> MeshItem {
         let chosen: BTreeSet<u32> = look.chosen.iter().copied().collect();
-        let of_surface = |s: &Surface| (s.number, self.surface_color(s.number, chosen.contains(&s.number), look));
-        let of_surface: BTreeMap<u32, [u8; 4]> = surfaces.list.iter().map(of_surface).collect();
-        let named: Vec<u32> = of_surface.iter().flat_map(|(&n, &color)| [n, u32::from_le_bytes(color)]).collect();
-        let counts = [look.missed.len(), look.left_out.len()].map(|count| count as u32);
-        let key = Hasher::default().digest(self.surfaces_key).u32s(&named);
-        let key = key.u32s(&counts).u32s(&look.missed).u32s(&look.left_out).finish();
-        // By number: a look-up in a map for each of a million facets would be seen.
-        let mut by_number = vec![[0; 4]; of_surface.last_key_value().map_or(0, |(n, _)| *n as usize + 1)];
-        of_surface.iter().for_each(|(&n, &color)| by_number[n as usize] = color);
-        let color_of = |n: &u32| by_number.get(*n as usize).copied().unwrap_or_default();
-        let mut colors: Vec<[u8; 4]> = surfaces.of_facet.par_iter().map(color_of).collect();
+        let shown = |s: &Surface| self.surface_color(s.number, chosen.contains(&s.number), look);
+        let of_surface: Vec<[u8; 4]> = surfaces.list.iter().map(shown).collect();
+        let key = Hasher::default().digest(self.surfaces_key).bytes(of_surface.as_flattened());
+        let key = key.u32s(&look.missed).u32s(&look.left_out).finish();
+        let mut colors = vec![[0; 4]; surfaces.of_facet.len()];
+        for (s, color) in surfaces.list.iter().zip(&of_surface) {
+            s.facets.iter().for_each(|&f| colors[f as usize] = *color);
+        }
         for &f in look.missed.iter() {
             if let Some(c) = colors.get_mut(f as usize).filter(|c| c[3] > 0) {
                 let [r, g, b] = mixed([c[0], c[1], c[2]], state::MISSED, 0.7);
@@ -98,7 +95,7 @@ impl PartPicture {
                 *c = [r, g, b, c[3]];
             }
         }
-        let nothing_hidden = of_surface.values().all(|color| color[3] > 0);
+        let nothing_hidden = of_surface.iter().all(|color| color[3] > 0);
         MeshItem {
             geometry_key: self.key.0 as u64,
             positions: self.positions.clone(),

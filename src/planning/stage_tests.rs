@@ -10,7 +10,7 @@ use std::sync::Mutex;
 
 /// Keeps what it is given until it is told to run it.
 #[derive(Default)]
-struct Held(Mutex<Vec<Task>>);
+pub(super) struct Held(Mutex<Vec<Task>>);
 
 impl Executor for Held {
     fn start(&self, task: Task) {
@@ -19,7 +19,7 @@ impl Executor for Held {
 }
 
 impl Held {
-    fn run(&self, which: usize) {
+    pub(super) fn run(&self, which: usize) {
         let mut tasks = self.0.lock().expect("no panic");
         if !tasks.is_empty() {
             let at = which % tasks.len();
@@ -30,7 +30,7 @@ impl Held {
     }
 }
 
-fn key(n: u32) -> Digest {
+pub(super) fn key(n: u32) -> Digest {
     Hasher::default().of(&n).finish()
 }
 

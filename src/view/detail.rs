@@ -9,7 +9,7 @@ use three_d::context::{self as gl, HasContext as _};
 pub struct Detail {
     /// Pixels a point of the display.
     pub px_per_point: f32,
-    /// Only so many points and facets as can be drawn again at once, because something moves; the whole picture is
+    /// Only so many points and facets as can be drawn again at once, because the camera moves; the whole picture is
     /// coarser then.
     pub thinned: bool,
 }

@@ -137,11 +137,6 @@ impl Viewport {
         self.flight.is_some() || !self.moves.is_empty()
     }
 
-    /// Whether the camera stands.
-    pub fn is_at_rest(&self) -> bool {
-        !self.is_gliding()
-    }
-
     /// Size of the view when it was last shown.
     pub fn size(&self) -> Option<ViewSize> {
         self.size
@@ -225,7 +220,7 @@ impl Viewport {
         if jump {
             self.camera = to;
             self.flight = None;
-            self.motion.jump();
+            self.motion.jump(&to);
         } else {
             self.flight = Some(Flight::new(self.camera, to, ui.input(|input| input.time)));
         }
@@ -279,9 +274,9 @@ impl Viewport {
         self.brush && !ui.input(|input| input.modifiers.command)
     }
 
-    /// Whether less is drawn in this frame because something moves; the one that shows the whole scene is asked for.
+    /// Whether less is drawn in this frame because the camera moves; the one that shows the whole scene is asked for.
     fn thins(&mut self, ui: &egui::Ui, scene: &Scene) -> bool {
-        let rest_in_s = self.motion.follow(&self.camera, Vec::new(), ui.input(|input| input.time));
+        let rest_in_s = self.motion.follow(&self.camera, ui.input(|input| input.time));
         let Some((rest_in_s, drawing)) = rest_in_s.zip(self.drawing.as_ref()) else { return false };
         let thins = drawing.lock().unwrap_or_else(PoisonError::into_inner).renderer.thins(scene);
         if thins {

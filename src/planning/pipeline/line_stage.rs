@@ -44,10 +44,10 @@ impl LineStage {
         self.newest.progress()
     }
 
-    /// Takes what has arrived.
+    /// Takes what has arrived; what failed leaves what was there before.
     pub fn poll(&mut self) {
         if self.earlier.poll() {
-            self.take(|stage| &stage.earlier);
+            self.arrived = current(&self.earlier).or(self.arrived.take());
         }
         if self.newest.poll() {
             self.take_newest();
@@ -57,14 +57,8 @@ impl LineStage {
     fn take_newest(&mut self) {
         if !self.newest.is_running() {
             self.earlier.stop();
-            self.take(|stage| &stage.newest);
+            self.arrived = current(&self.newest).or(self.arrived.take());
         }
-    }
-
-    fn take(&mut self, from: impl Fn(&Self) -> &Stage<Lines, PlanError>) {
-        let of = from(self).newest().map(|(key, lines)| (key, lines.clone()));
-        // What failed leaves what was there before.
-        self.arrived = of.filter(|(key, _)| from(self).of(*key).is_some()).or(self.arrived.take());
     }
 
     /// Begins lines on these surfaces.
@@ -74,7 +68,7 @@ impl LineStage {
         executor: &dyn Executor,
         work: impl FnOnce(&Progress) -> Result<Lines, Failure<PlanError>> + Send + 'static,
     ) {
-        if self.on.replace(on) != Some(on) {
+        if self.on != Some(on) {
             self.clear();
             self.on = Some(on);
         }
@@ -105,35 +99,18 @@ impl LineStage {
     }
 }
 
+/// What a stage came to last; `None` where that failed, or is not there yet.
+fn current(stage: &Stage<Lines, PlanError>) -> Option<(Digest, Arc<Lines>)> {
+    let (key, _) = stage.newest()?;
+    Some((key, stage.of(key)?.clone()))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::super::executor::Task;
+    use super::super::super::stage_tests::{Held, key};
     use super::*;
-    use crate::part::Hasher;
-    use std::sync::Mutex;
 
-    /// Keeps tasks until a test runs them.
-    #[derive(Default)]
-    struct ByHand(Mutex<Vec<Task>>);
-
-    impl Executor for ByHand {
-        fn start(&self, task: Task) {
-            self.0.lock().expect("no panic").push(task);
-        }
-    }
-
-    impl ByHand {
-        fn run(&self, at: usize) {
-            let task = self.0.lock().expect("no panic").remove(at);
-            task.run();
-        }
-    }
-
-    fn key(of: u32) -> Digest {
-        Hasher::default().u32s(&[of]).finish()
-    }
-
-    fn start(stage: &mut LineStage, by: &ByHand, on: u32, of: u32) {
+    fn start(stage: &mut LineStage, by: &Held, on: u32, of: u32) {
         stage.start((key(on), key(of)), by, |progress| {
             progress.check()?;
             Ok(Vec::new())
@@ -142,7 +119,7 @@ mod tests {
 
     #[test]
     fn the_lines_that_were_begun_first_are_seen_while_a_number_is_dragged() {
-        let (mut stage, by) = (LineStage::default(), ByHand::default());
+        let (mut stage, by) = (LineStage::default(), Held::default());
         for edit in 1..=4 {
             start(&mut stage, &by, 0, edit);
         }
@@ -161,7 +138,7 @@ mod tests {
 
     #[test]
     fn late_lines_of_an_earlier_job_do_not_hide_the_newest() {
-        let (mut stage, by) = (LineStage::default(), ByHand::default());
+        let (mut stage, by) = (LineStage::default(), Held::default());
         start(&mut stage, &by, 0, 1);
         start(&mut stage, &by, 0, 2);
         by.run(1);
@@ -173,7 +150,7 @@ mod tests {
 
     #[test]
     fn lines_on_other_surfaces_are_forgotten() {
-        let (mut stage, by) = (LineStage::default(), ByHand::default());
+        let (mut stage, by) = (LineStage::default(), Held::default());
         start(&mut stage, &by, 0, 1);
         start(&mut stage, &by, 9, 2);
         by.run(0);
