@@ -108,8 +108,14 @@ impl WideRay {
         let b = dir.x * dir.y * a;
         let u = Vector3::new(1.0 + sign * dir.x * dir.x * a, sign * b, -sign * dir.x);
         let v = Vector3::new(b, sign + dir.y * dir.y * a, -dir.y);
+        WideRay { origin: *origin, dir: *dir, u, v, radius_mm: 0.0 }.as_wide_as(radius_mm)
+    }
+
+    /// The same ray with another width.
+    #[inline]
+    pub fn as_wide_as(&self, radius_mm: f64) -> WideRay {
         // Wider by more than the rounding of what follows.
-        WideRay { origin: *origin, dir: *dir, u, v, radius_mm: radius_mm * 1.001 + 1e-9 }
+        WideRay { radius_mm: radius_mm * 1.001 + 1e-9, ..*self }
     }
 
     /// `true`: the triangle is certainly farther away than the radius. `false`: undecided.

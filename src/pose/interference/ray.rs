@@ -152,6 +152,7 @@ fn conflict_with(bvh: &Bvh, motion: &[Pose; 3], sag_mm: f64, stray_mm: impl Fn(f
         return None;
     }
     let mut farthest: Option<f64> = None;
+    let axis = distance::WideRay::new(&middle.p, &middle.a, 0.0);
     let (rise_mm, begins_mm) = (RISE_MM + 2.0 * sag_mm, 2.0 * sag_mm + SPOT_MM);
     // A turning beam sweeps wide only far out: each stretch is looked at as wide as it gets, so
     // that the surface around the spot is not visited for the sake of the far end.
@@ -173,9 +174,11 @@ fn conflict_with(bvh: &Bvh, motion: &[Pose; 3], sag_mm: f64, stray_mm: impl Fn(f
             }
             let rise = |q: &Pose| corners.iter().map(|c| (c - q.p).dot(&q.a)).fold(f64::NEG_INFINITY, f64::max);
             let top = rise(from).max(rise(to));
-            let touchable = || distance::ray_triangle(&middle.p, &middle.a, 0.0, corners) <= radius(top);
+            // The dearest look comes last.
+            let misses = || axis.as_wide_as(radius(top)).surely_misses(corners);
             let is_clear = || is_separated(motion, corners, (GRAZE_MM, begins_mm), &stray_mm);
-            if top > rise_mm && touchable() && !is_clear() {
+            let touchable = || distance::ray_triangle(&middle.p, &middle.a, 0.0, corners) <= radius(top);
+            if top > rise_mm && !misses() && !is_clear() && touchable() {
                 farthest = Some(farthest.map_or(top, |f| f.max(top)));
             }
         };
