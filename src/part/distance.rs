@@ -111,7 +111,7 @@ impl WideRay {
         WideRay { origin: *origin, dir: *dir, u, v, radius_mm: 0.0 }.as_wide_as(radius_mm)
     }
 
-    /// The same ray with another width.
+    /// This ray with a radius of its own, for what is asked of one axis at several widths.
     #[inline]
     pub fn as_wide_as(&self, radius_mm: f64) -> WideRay {
         // Wider by more than the rounding of what follows.
